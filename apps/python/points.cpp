@@ -152,6 +152,7 @@ py::dict read(const app::PointSource& source, bool space) {
   const app::CloudRequest request{.columns = source.columns,
                                   .where = source.where,
                                   .skip_invalid = source.skip_invalid,
+                                  .needs_normals = false,
                                   .keeps = source.keeps,
                                   .window = source.window};
   app::SpacePoints file = read_watched([&] { return app::read_space_points(source.path, source.format, request); });

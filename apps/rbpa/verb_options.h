@@ -20,7 +20,7 @@ namespace rbpa::app {
 template <typename Arguments>
 void add_selection_options(CLI::App& verb, Arguments& arguments) {
   add_switch(verb, "--skip-invalid", arguments.skip_invalid,
-             "Skip lines of text, and records of LAS, that are not points, and print how many");
+             "Skip lines of text, records of LAS, and points with NaN, that are no points, and print how many");
   add_value(verb, "--where", arguments.where, "CONDITION",
             "Take only points that fulfill a condition on fields of LAS, PLY or PCD, columns of text, or properties "
             "of GeoJSON: \"classification == 6 and z > 3\", or for texts \"group in ('A', 'B')\"");

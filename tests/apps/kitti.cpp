@@ -57,7 +57,9 @@ TEST_SUITE("kitti") {
     const float none = std::numeric_limits<float>::quiet_NaN();
     const std::string hole = four + scan({none, none, none, -1});
     CHECK(read(hole, "reflectance >= 0").points == all);
-    CHECK_THROWS_WITH_AS(read(hole), "p: point 4: found 'nan', expected a finite number", BadInput);
+    CHECK_THROWS_WITH_AS(read(hole),
+                         "p: point 4: found 'nan', expected a finite number (--skip-invalid leaves out such points)",
+                         BadInput);
   }
 
   TEST_CASE("the plane has x and y, and heights if they are requested") {

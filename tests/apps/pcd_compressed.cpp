@@ -188,7 +188,7 @@ TEST_SUITE("compressed pcd") {
     CHECK(refusal(three(with_sizes("", 36))) ==
           "p: after line 5: found 0 bytes of compressed data, expected 1 or more for 36 bytes decompressed");
     CHECK(refusal(three(with_sizes(lzf_repeated('\xff', 36), 36))) ==
-          "p: point 0: found '-nan', expected a finite number");
+          "p: point 0: found '-nan', expected a finite number (--skip-invalid leaves out such points)");
     CHECK(refusal("FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nPOINTS 1\nDATA binary_squeezed\n") ==
           "p:5: found 'DATA binary_squeezed', expected ascii, binary or binary_compressed");
   }

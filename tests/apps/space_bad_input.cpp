@@ -140,21 +140,25 @@ TEST_SUITE("bad points of space") {
     CHECK(table("0,5;1;2\n0.5;1;2\n") ==
           "p:2: found '0.5', expected a number with a decimal comma, as in line 1 (one decimal sign in all lines; " +
               skip.substr(2));
-    CHECK(off("OFF\n1 0 0\n0 inf 0\n") == "p:3: found 'inf', expected a finite number");
+    CHECK(off("OFF\n1 0 0\n0 inf 0\n") ==
+          "p:3: found 'inf', expected a finite number (--skip-invalid leaves out such points)");
     CHECK(obj("v 0 0 nan\n") == "p:1: found 'nan', expected a finite number");
     CHECK(obj("v 0 0 0\nvn 0 nan 1\n") == "p:2: found 'nan', expected a finite number");
-    CHECK(ply("0 0 0 0 0 1 1 1 1\n0 0 nan 0 0 1 1 1 1\n") == "p:15: found 'nan', expected a finite number");
+    CHECK(ply("0 0 0 0 0 1 1 1 1\n0 0 nan 0 0 1 1 1 1\n") ==
+          "p:15: found 'nan', expected a finite number (--skip-invalid leaves out such points)");
     CHECK(ply("0 0 0 0 0 1 1 1 1\n0 0 0 0 0 1 1 1 1.5\n") ==
           "p:15: found '1.5', expected a channel of a color: a whole number from 0 to 255");
     CHECK(pcd(numbers({0.F, 0.F, 0.F, 0.F, 0.F, static_cast<float>(no_number)})) ==
-          "p: point 1: found 'nan', expected a finite number");
-    CHECK(npy("(1, 3)", numbers({0., -inf, 0.})) == "p: point 0: found '-inf', expected a finite number");
+          "p: point 1: found 'nan', expected a finite number (--skip-invalid leaves out such points)");
+    CHECK(npy("(1, 3)", numbers({0., -inf, 0.})) ==
+          "p: point 0: found '-inf', expected a finite number (--skip-invalid leaves out such points)");
     CHECK(npy("(1, 6)", numbers({0., 0., 0., no_number, 0., 0.})) ==
-          "p: normal of point 0: found 'nan', expected a finite number");
+          "p: normal of point 0: found 'nan', expected a finite number (--skip-invalid leaves out such points)");
     CHECK(refusal("ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty double x\nproperty double y\n"
                   "property double z\nend_header\n" +
                       numbers({0., 0., inf}),
-                  Format::ply) == "p: point 0: found 'inf', expected a finite number");
+                  Format::ply) ==
+          "p: point 0: found 'inf', expected a finite number (--skip-invalid leaves out such points)");
   }
 
   TEST_CASE("the first normal that has no direction is named") {

@@ -173,8 +173,12 @@ TEST_SUITE("surface") {
     CHECK(indices_of(folder.content("l.npy")).size() > 6);
 
     folder.file("p.off", "OFF\n1 0 0\n0 0 0\n");
-    refuses(folder, "surface p.off --radius 1 --skip-invalid -o m.off", 2,
-            "--skip-invalid: found a format without lines of points, expected las, laz or text");
+    const std::string skipping = rbpa::app::readable(
+        rbpa::app::Use::space, [](const rbpa::app::CloudFormat& reader) { return reader.skips_invalid; });
+    for (const char* format : {"las", "npy", "off", "pcd", "ply", "text"}) CHECK(contains(skipping, format));
+    folder.file("p.obj", "v 0 0 0\n");
+    refuses(folder, "surface p.obj --radius 1 --skip-invalid -o m.off", 2,
+            "--skip-invalid: found a format without points that can be left out, expected " + skipping);
     refuses(folder, "surface p.off --radius 1 --where \"z > 1\" -o m.off", 2,
             "--where: found a format without fields, expected " + rbpa::app::with_fields(rbpa::app::Use::space));
     // Messages are those of the other verbs.

@@ -18,7 +18,8 @@ class ArrayCloud final : public Cloud {
       : array_(array),
         is_whole_(is_whole),
         keeps_heights_(request.heights),
-        looks_at_heights_(!request.in_space && array.columns == 3) {
+        looks_at_heights_(!request.in_space && array.columns == 3),
+        choice_(request) {
     const bool in_space = request.in_space;
     facts_.normals = in_space && array.columns == 6;
     facts_.expected = is_whole ? array.rows : 0;
@@ -35,6 +36,25 @@ class ArrayCloud final : public Cloud {
   }
 
   bool next(CloudBlock& block) override {
+    while (read(block))
+      if (block.count > 0) return true;
+    return false;
+  }
+
+  void finish() override {
+    facts_.file.all_points = first_;
+    choice_.add_warnings(sources_.front().name(), facts_.file.warnings);
+  }
+
+  std::uint64_t bytes_read() const override {
+    std::uint64_t sum = 0;
+    for (const Content& source : sources_) sum += source.bytes_read();
+    return sum / sources_.size();
+  }
+
+ private:
+  /// Reads the next rows. Returns whether there are any; all points may be left out.
+  bool read(CloudBlock& block) {
     stop_if_interrupted();
     if (looks_at_heights_ && !keeps_heights_ && facts_.file.heights.differ()) leave_out_heights();
     const std::size_t step = array_.columns_first ? array_.item() : array_.row();
@@ -55,18 +75,10 @@ class ArrayCloud final : public Cloud {
       if (keeps_heights_) block.heights.swap(block.column[CloudBlock::z]);
       block.column[CloudBlock::z].clear();
     }
-    require_finite(block, first_, sources_.front().name());
+    choice_(block, {}, first_, sources_.front().name());
     first_ += count;
     return count > 0;
   }
-
-  std::uint64_t bytes_read() const override {
-    std::uint64_t sum = 0;
-    for (const Content& source : sources_) sum += source.bytes_read();
-    return sum / sources_.size();
-  }
-
- private:
   void leave_out_heights() {
     looks_at_heights_ = false;
     columns_.pop_back();
@@ -87,6 +99,7 @@ class ArrayCloud final : public Cloud {
   NpyLayout array_;
   bool is_whole_;  // the number of rows is known
   bool keeps_heights_, looks_at_heights_;
+  PointChoice choice_;
   std::vector<std::size_t> columns_ = {};
   std::vector<Content> sources_ = {};  // one reader, or one for each column if the array is stored by columns
   std::size_t first_ = 0;
@@ -113,10 +126,10 @@ std::unique_ptr<Cloud> open_npy(Content content, const CloudRequest& request) {
 }  // namespace
 
 /// Reads raw numbers: pairs x, y of little-endian float64 and nothing else.
-const CloudFormat raw_reader = {.open = open_raw, .streams = true, .has_signature = false};
+const CloudFormat raw_reader = {.open = open_raw, .streams = true, .skips_invalid = true, .has_signature = false};
 
 /// Reads an array of NumPy: of shape (n, 2) or (n, 3); in space of shape (n, 3) or (n, 6), whose last three columns are
 /// normals. Ignores bytes after the array, as NumPy does.
-const CloudFormat npy_reader = {.open = open_npy, .streams = true};
+const CloudFormat npy_reader = {.open = open_npy, .streams = true, .skips_invalid = true};
 
 }  // namespace rbpa::app

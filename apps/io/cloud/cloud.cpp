@@ -8,6 +8,7 @@
 
 #include "io/failure.h"
 #include "io/number.h"
+#include "io/text/written.h"
 #include "io/words.h"
 #include "rbpa/base/triangle.h"
 
@@ -85,18 +86,6 @@ std::optional<FieldNames> fields_of(Format format) {
   return known->fields();
 }
 
-void require_finite(const CloudBlock& block, std::size_t first, const std::string& name) {
-  bool finite = true;
-  for (std::size_t k = 0; k < CloudBlock::color; ++k)
-    for (const double value : block.column[k]) finite &= value - value == 0;
-  if (finite) return;
-  for (std::size_t i = 0; i < block.count; ++i)
-    for (std::size_t k = 0; k < CloudBlock::color; ++k)
-      if (!block.column[k].empty() && !std::isfinite(block.column[k][i]))
-        bad_input(name + (k < CloudBlock::normal ? ": point " : ": normal of point ") + std::to_string(first + i),
-                  in_quotes(text_of(block.column[k][i])), "a finite number");
-}
-
 void refuse_integer(const std::string& where, const std::string& integer) {
   bad_input(where, integer, "an integer up to 2^53, which a double holds (store it as double, or subtract an offset)");
 }
@@ -149,24 +138,61 @@ std::vector<std::uint32_t> unless_identity(std::vector<std::uint32_t> index) {
   return {};
 }
 
-void select_points(Selection& selection, CloudBlock& block, std::span<const std::vector<double>> fields,
-                   std::size_t first, const std::string& name) {
-  std::vector<std::uint8_t> kept(block.count);
-  clear_fields(block, selection.column_values().size());
+PointChoice::PointChoice(const CloudRequest& request)
+    : skips_(request.skip_invalid), checked_(request.needs_normals ? CloudBlock::color : CloudBlock::normal) {
+  if (request.where) selection_.emplace(*request.where);
+}
+
+std::vector<std::uint8_t> PointChoice::operator()(CloudBlock& block, std::span<const std::vector<double>> fields,
+                                                  std::size_t first, const std::string& name) {
+  bool is_finite = true;
+  for (std::size_t k = 0; k < checked_; ++k)
+    for (const double value : block.column[k]) is_finite &= value - value == 0;
+  if (is_finite && !may_leave_out()) return {};
+  std::vector<std::uint8_t> kept(may_leave_out() ? block.count : 0, 1);
+  if (selection_) clear_fields(block, selection_->column_values().size());
   block.index.clear();
+  const bool has_normals = checked_ > CloudBlock::normal && !block.column[CloudBlock::normal].empty();
   for (std::size_t i = 0; i < block.count; ++i) {
-    for (std::size_t k = 0; k < fields.size(); ++k) selection.values()[k] = fields[k][i];
-    kept[i] = selection.holds() ? 1 : 0;
-    if (kept[i] != 0) {
-      append_fields(selection.column_values(), block);
-      block.index.push_back(first + i);
-      continue;
+    if (selection_) {
+      for (std::size_t k = 0; k < fields.size(); ++k) selection_->values()[k] = fields[k][i];
+      if (!selection_->holds()) {
+        kept[i] = 0;
+        continue;
+      }
     }
-    for (std::vector<double>& column : block.column)
-      if (!column.empty()) column[i] = 0;  // as points that are left out need not be finite
+    std::string fault;
+    const auto here = [&](std::size_t k) {
+      return name + (k < CloudBlock::normal ? ": point " : ": normal of point ") + std::to_string(first + i);
+    };
+    for (std::size_t k = 0; !is_finite && fault.empty() && k < checked_; ++k)
+      if (!block.column[k].empty() && !std::isfinite(block.column[k][i]))
+        fault = here(k) + ": found " + in_quotes(text_of(block.column[k][i])) + ", expected a finite number";
+    if (!fault.empty() && !skips_) throw BadInput(with_way(fault, "--skip-invalid leaves out such points"));
+    if (skips_ && has_normals && fault.empty()) {
+      const auto part = [&](std::size_t k) { return block.column[CloudBlock::normal + k][i]; };
+      if (part(0) == 0 && part(1) == 0 && part(2) == 0) fault = here(CloudBlock::normal) + ": found a length of 0";
+    }
+    if (!fault.empty()) {
+      kept[i] = 0;
+      if (skipped_++ == 0) first_skipped_ = fault;
+    } else if (may_leave_out()) {
+      if (selection_) append_fields(selection_->column_values(), block);
+      block.index.push_back(first + i);
+    }
   }
-  require_finite(block, first, name);
-  keep_points(block, kept);
+  if (may_leave_out()) keep_points(block, kept);
+  chosen_ += block.count;
+  return kept;
+}
+
+void PointChoice::add_warnings(const std::string& name, std::vector<std::string>& warnings) const {
+  if (selection_) selection_->warning("point", warnings);
+  if (skipped_ == 0) return;
+  if (chosen_ == 0)
+    bad_input(name, counted(skipped_, "point") + " and none that is valid", "one (" + first_skipped_ + ")");
+  warnings.push_back(counted(skipped_, "point") + (skipped_ == 1 ? " is" : " are") +
+                     " left out: " + (skipped_ == 1 ? "" : "the first is ") + first_skipped_);
 }
 
 void keep_points(CloudBlock& block, const std::vector<std::uint8_t>& kept) {

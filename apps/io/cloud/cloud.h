@@ -1,7 +1,7 @@
 // What: the interface of point readers, one for each format: a file becomes blocks of columns x, y, or x, y, z, normals
 //       and colors. read_points.h, read_space_points.h and point_blocks.h make points of the columns.
 // Law:  the blocks of a file, one after another, have its points in the order of the file, whether the file is in
-//       memory or streamed. Coordinates and normals are finite.
+//       memory or streamed. Coordinates are finite, and so are normals if they are needed.
 // Cost: one pass over the file; only requested columns are filled in.
 #pragma once
 
@@ -45,7 +45,8 @@ struct CloudRequest {
   std::optional<std::vector<Column>> columns = std::nullopt;
   std::optional<Condition> where = std::nullopt;  ///< selects points by their fields
   bool heights = false;                           ///< read z also in the plane, if the file has z
-  bool skip_invalid = false;                      ///< leave out lines of text, and records of LAS, that are not points
+  bool skip_invalid = false;                      ///< leave out lines, records and elements that are not points
+  bool needs_normals = true;                      ///< normals must be finite, and of another length than 0
   bool vertices = false;                          ///< take the vertices of lines and polygons in a column of geometries
   Waters waters = Waters::noted;
   bool last_are_normals = false;  ///< columns 4 to 6 of an unnamed table are normals, whatever their values
@@ -194,10 +195,6 @@ std::optional<FieldNames> fields_of(Format format);
 /// are decompressed only if `path` ends in .gz. `way_out` becomes Decompression::way_out.
 Decompression decompression_of(Format format, std::string_view path, std::string way_out = "");
 
-/// Throws BadInput unless all coordinates and normals are finite. The first point of `block` is number `first` of the
-/// file `name`.
-void require_finite(const CloudBlock& block, std::size_t first, const std::string& name);
-
 /// Throws BadInput that names `where`, for an integer beyond 2^53, from which on doubles do not represent all integers.
 [[noreturn]] void refuse_integer(const std::string& where, const std::string& integer);
 
@@ -227,10 +224,28 @@ void keep_points(CloudBlock& block, const std::vector<std::uint8_t>& kept);
 /// Returns the warning that a window selects some points: "--bounds selects 3 of 8 points".
 std::string warning_on_window(const PointWindow& window, std::size_t selected, std::size_t all);
 
-/// Removes the points for which the condition is false from `block`. `fields` has a column for each field of the
-/// condition; the first point of `block` is number `first` of the file `name`. Throws BadInput if a remaining point is
-/// not finite.
-void select_points(Selection& selection, CloudBlock& block, std::span<const std::vector<double>> fields,
-                   std::size_t first, const std::string& name);
+/// Chooses points block by block: those for which a condition is true, and, with CloudRequest::skip_invalid, those that
+/// are finite, with normals of another length than 0 if normals are needed.
+class PointChoice {
+ public:
+  explicit PointChoice(const CloudRequest& request);
+
+  bool may_leave_out() const { return selection_ || skips_; }
+  /// Removes the other points from `block`. `fields` has a column for each field of the condition; the first point of
+  /// `block` is number `first` of the file `name`. Returns whether each given point is chosen; nothing if none may be
+  /// left out. Throws BadInput if a chosen point, or the normal of one that is needed, is not finite.
+  std::vector<std::uint8_t> operator()(CloudBlock& block, std::span<const std::vector<double>> fields,
+                                       std::size_t first, const std::string& name);
+  /// Adds warnings about the numbers of selected and of skipped points. Throws BadInput that names the file `name` if
+  /// points were skipped, and none is left of those that the condition selects.
+  void add_warnings(const std::string& name, std::vector<std::string>& warnings) const;
+
+ private:
+  std::optional<Selection> selection_;
+  bool skips_;
+  std::size_t checked_;  // number of columns that must be finite
+  std::size_t chosen_ = 0, skipped_ = 0;
+  std::string first_skipped_ = {};
+};
 
 }  // namespace rbpa::app

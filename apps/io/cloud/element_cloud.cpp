@@ -13,6 +13,7 @@
 #include "io/interrupt.h"
 #include "io/number.h"
 #include "io/text/vertex_lines.h"
+#include "io/text/written.h"
 
 namespace rbpa::app {
 namespace {
@@ -51,11 +52,12 @@ class ElementCloud final : public Cloud {
         header_(std::move(header)),
         layout_(std::move(layout)),
         vertex_(header_.elements[layout_.element]),
-        keeps_heights_(request.heights) {
+        keeps_heights_(request.heights),
+        needs_normals_(request.needs_normals),
+        choice_(request) {
     facts_ = std::move(layout_.facts);
     facts_.expected = vertex_.count;
     if (request.where) {
-      selection_.emplace(*request.where);
       for (const std::string& field : request.where->fields())
         condition_.push_back(find_field(vertex_, field, request.where->option_of(field), name_));
       fields_.resize(condition_.size());
@@ -96,13 +98,8 @@ class ElementCloud final : public Cloud {
       else
         read_rows(block);
       const std::size_t first = std::exchange(first_, first_ + block.count);
-      const std::size_t count = block.count;
-      selection_ ? select_points(*selection_, block, fields_, first, name_) : require_finite(block, first, name_);
-      if (selection_ && !kept_.empty()) {
-        std::vector<std::uint8_t> kept(count);
-        for (const std::uint64_t i : block.index) kept[i - first] = 1;
-        keep_values(facts_.file.kept, taken_, kept);
-      }
+      const std::vector<std::uint8_t> kept = choice_(block, fields_, first, name_);
+      if (!kept.empty() && !kept_.empty()) keep_values(facts_.file.kept, taken_, kept);
       taken_ += block.count;
     }
     if (block.count == 0) pass_rest();
@@ -112,7 +109,7 @@ class ElementCloud final : public Cloud {
 
   void finish() override {
     facts_.file.all_points = vertex_.count;
-    if (selection_) selection_->warning("point", facts_.file.warnings);
+    choice_.add_warnings(name_, facts_.file.warnings);
   }
 
  private:
@@ -220,8 +217,11 @@ class ElementCloud final : public Cloud {
     for (const auto& [column, property] : layout_.columns) target[property] = block.column[column].data();
     const bool takes_z = keeps_heights_ && layout_.height;
     if (takes_z) target[*layout_.height] = block.heights.data();
-    std::vector<char> is_channel(target.size(), 0);
-    for (const auto& [column, property] : layout_.columns) is_channel[property] = column >= CloudBlock::color ? 1 : 0;
+    std::vector<char> is_channel(target.size(), 0), may_be_nan(target.size(), choice_.may_leave_out() ? 1 : 0);
+    for (const auto& [column, property] : layout_.columns) {
+      is_channel[property] = column >= CloudBlock::color ? 1 : 0;
+      if (column >= CloudBlock::normal && column < CloudBlock::color && !needs_normals_) may_be_nan[property] = 1;
+    }
     std::vector<std::size_t> kept(target.size(), kept_.size());  // index in kept_ of each property, or kept_.size()
     for (std::size_t k = 0; k < kept_.size(); ++k) kept[kept_[k]] = k;
     const std::size_t size = target.size(), first = first_;
@@ -229,7 +229,8 @@ class ElementCloud final : public Cloud {
       for (std::size_t k = 0; k < size; ++k) {
         const bool is_wanted = target[k] != nullptr;
         if (std::string_view copy = rest; kept[k] < kept_.size()) keep_word(kept[k], take_word(copy));
-        if (is_wanted) target[k][i - first] = take_coordinate(rest, text_->lines(), name_);
+        if (is_wanted)
+          target[k][i - first] = may_be_nan[k] != 0 ? take_number(rest, text_->lines(), name_) : take_finite(rest);
         if (is_channel[k] != 0) require_channel(target[k][i - first]);
         if (k == layout_.height && !takes_z && looks_at_heights()) find_height(block, i, rest);
         if (!is_wanted || vertex_.properties[k].count > 1)
@@ -242,6 +243,13 @@ class ElementCloud final : public Cloud {
     for (const double z : block.heights) facts_.file.heights.take(z);
     for (std::size_t k = 0; k < fields_.size(); ++k)  // a field may be a column of the block as well
       std::copy_n(target[condition_[k]], block.count, fields_[k].data());
+  }
+
+  double take_finite(std::string_view& rest) const try {
+    return take_coordinate(rest, text_->lines(), name_);
+  } catch (const BadInput& refusal) {
+    if (!std::string_view(refusal.what()).ends_with("expected a finite number")) throw;
+    throw BadInput(with_way(refusal.what(), "--skip-invalid leaves out such points"));
   }
 
   std::string here() const { return at_line(name_, text_->lines().number()); }
@@ -279,8 +287,8 @@ class ElementCloud final : public Cloud {
   std::vector<std::size_t> kept_ = {};            // properties that are kept
   std::vector<bool> is_kept_ = {};                // whether each of fields_ is kept instead of filled in
   std::size_t taken_ = 0;                         // points in earlier blocks
-  bool keeps_heights_;
-  std::optional<Selection> selection_ = std::nullopt;
+  bool keeps_heights_, needs_normals_;
+  PointChoice choice_;
   std::optional<PlyBinary> binary_ = std::nullopt;
   std::optional<PlyText> text_ = std::nullopt;
   TextColors colors_ = TextColors();

@@ -40,6 +40,7 @@ std::unique_ptr<Cloud> open_kitti(Content content, const CloudRequest& request) 
 }  // namespace
 
 /// Reads x, y, z and reflectance, of little-endian float32, of each point. Requires: content in memory.
-const CloudFormat kitti_reader = {.open = open_kitti, .fields = names_of_kitti_fields, .has_signature = false};
+const CloudFormat kitti_reader = {
+    .open = open_kitti, .fields = names_of_kitti_fields, .skips_invalid = true, .has_signature = false};
 
 }  // namespace rbpa::app

@@ -257,6 +257,6 @@ std::unique_ptr<Cloud> open_pcd(Content content, const CloudRequest& request) {
 
 /// Reads PCD, the Point Cloud Library's format, versions 0.5 to 0.7, ASCII or binary, compressed or not: x, y, z;
 /// normal_x, normal_y, normal_z if all three are there; rgb or rgba.
-const CloudFormat pcd_reader = {.open = open_pcd, .fields = names_of_properties};
+const CloudFormat pcd_reader = {.open = open_pcd, .fields = names_of_properties, .skips_invalid = true};
 
 }  // namespace rbpa::app

@@ -42,6 +42,6 @@ std::unique_ptr<Cloud> open_ply(Content content, const CloudRequest& request) {
 /// Reads the element "vertex" of PLY: x, y, z; nx, ny, nz if all three are there; and red, green, blue (of type uchar)
 /// if all three are there. Ignores everything else, but checks that a binary file has it, so that a truncated file is
 /// refused.
-const CloudFormat ply_reader = {.open = open_ply, .fields = names_of_properties};
+const CloudFormat ply_reader = {.open = open_ply, .fields = names_of_properties, .skips_invalid = true};
 
 }  // namespace rbpa::app

@@ -203,7 +203,7 @@ void require_readable(Use use, Format format, const OptionNames& options, const 
   const auto skips_invalid = [](const CloudFormat& reader) { return reader.skips_invalid; };
   require(options.columns, is_table(format), " with fixed columns", "text");
   require(options.skip_invalid, format == Format::by_content || has(format, &CloudFormat::skips_invalid),
-          " without lines of points", readable(use, skips_invalid));
+          " without points that can be left out", readable(use, skips_invalid));
   require(options.vertices, use == Use::points && has_lines(format), " without lines and polygons",
           "points in the plane in one of " + endings(Use::points, has_lines));
   require(options.fields, fields_of(format).has_value(), " without fields", with_fields(use));

@@ -20,13 +20,13 @@ struct PointSource {
   Format format = Format::text;
   /// Columns of a table: as CloudRequest::columns in the plane.
   std::optional<std::vector<Column>> columns = std::nullopt;
-  PixelRule pixels = {};                          ///< for images
-  bool heights = false;                           ///< fill PointFile::z
-  bool skip_invalid = false;                      ///< leave out lines of text, and records of LAS, that are not points
-  bool vertices = false;                          ///< take the vertices of lines and polygons as points
-  bool beside_points = false;                     ///< lines; no warning about degrees: points have caused it, if any
-  std::optional<Condition> where = std::nullopt;  ///< selects points, in formats with fields
-  std::optional<Crs> crs = std::nullopt;          ///< coordinate system of the points; overrides that of the file
+  PixelRule pixels = {};                            ///< for images
+  bool heights = false;                             ///< fill PointFile::z
+  bool skip_invalid = false;                        ///< as CloudRequest::skip_invalid
+  bool vertices = false;                            ///< take the vertices of lines and polygons as points
+  bool beside_points = false;                       ///< lines; no warning about degrees: points have caused it, if any
+  std::optional<Condition> where = std::nullopt;    ///< selects points, in formats with fields
+  std::optional<Crs> crs = std::nullopt;            ///< coordinate system of the points; overrides that of the file
   std::optional<std::string> layer = std::nullopt;  ///< name of the layer, if a source of OGR has several
   bool shift_longitude = false;                     ///< add 360 to longitudes below 0
   std::optional<FieldChoice> keeps = std::nullopt;  ///< as CloudRequest::keeps

@@ -79,7 +79,7 @@ SpacePoints read_content(const Content& content, Format format, const CloudReque
   std::optional<SpacePoints> file = read_cloud(*open_cloud(known, content.again(), in_space));
   in_space.last_are_normals = true;
   if (!file) file = read_cloud(*open_cloud(known, content.again(), in_space));
-  require_directions(*file, content.name());
+  if (request.needs_normals) require_directions(*file, content.name());
   settle_columns(file->kept, file->warnings);
   return std::move(*file);
 }

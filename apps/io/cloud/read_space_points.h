@@ -13,8 +13,8 @@
 namespace rbpa::app {
 
 struct SpacePoints : PointFacts {
-  std::vector<Point3> points = {};                       ///< in the order of the file, all finite
-  std::vector<Point3> normals = {};                      ///< none, or one for each point: finite, of any length but 0
+  std::vector<Point3> points = {};   ///< in the order of the file, all finite
+  std::vector<Point3> normals = {};  ///< none, or one for each point: finite, of any length but 0, if needed
   std::vector<std::array<std::uint8_t, 3>> colors = {};  ///< red, green, blue: none, or one for each point
   UnitCell cell = {};                                    ///< the cell of the atoms of a molecule
 };

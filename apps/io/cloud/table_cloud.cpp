@@ -166,7 +166,8 @@ class TableCloud final : public Cloud {
   }
 
   bool has_no_direction(const Numbers& value) const {
-    return numbers_ == 6 && !is_by_content_ && value[3] == 0 && value[4] == 0 && value[5] == 0;
+    return numbers_ == 6 && !is_by_content_ && request_.needs_normals && value[3] == 0 && value[4] == 0 &&
+           value[5] == 0;
   }
 
   /// Reads lines whose fields are plain numbers without quotes, as nearly all are, without first searching for line

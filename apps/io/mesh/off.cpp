@@ -112,7 +112,7 @@ std::unique_ptr<Cloud> open_off(Content content, const CloudRequest& request) {
 }  // namespace
 
 /// Reads the vertices of OFF, with the normals of NOFF and the colors of COFF; skips the faces.
-const CloudFormat off_reader = {.open = open_off};
+const CloudFormat off_reader = {.open = open_off, .skips_invalid = true};
 
 MeshFile read_off_mesh(std::string_view text, const std::string& name) {
   const OffHeader off = read_off_header(text, name);

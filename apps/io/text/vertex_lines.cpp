@@ -23,6 +23,14 @@ bool take_up_to(const char* end, std::string_view& rest) {
 
 }  // namespace
 
+double take_number(std::string_view& rest, const Lines& lines, const std::string& name) {
+  std::string_view after = rest;
+  const ParsedNumber number = parse_written_number(take_word(after));
+  if (number.fault != NumberFault::not_finite) return take_coordinate(rest, lines, name);
+  rest = after;
+  return number.value;
+}
+
 double take_coordinate(std::string_view& rest, const Lines& lines, const std::string& name) {
   skip_blanks(rest);
   const ParsedNumber coordinate = parse_number(rest.data(), rest.data() + rest.size());

@@ -16,6 +16,9 @@ namespace rbpa::app {
 /// Takes the next word, a finite number, and returns it.
 double take_coordinate(std::string_view& rest, const Lines& lines, const std::string& name);
 
+/// Takes the next word, a number, nan or inf, and returns it.
+double take_number(std::string_view& rest, const Lines& lines, const std::string& name);
+
 /// Takes the next three words, finite numbers, and returns them.
 std::array<double, 3> take_position(std::string_view& rest, const Lines& lines, const std::string& name);
 

@@ -58,7 +58,7 @@ def read_points(
     format : str, optional
         "las", "text", ...; by default according to the ending of the path.
     skip_invalid : bool
-        Leave out lines of text, and records of LAS, that are not points; `PointFile.warnings` counts them.
+        Leave out lines of text, records of LAS, and points with NaN, that are no points; `PointFile.warnings` counts them.
     vertices : bool
         Read the vertices of lines and polygons as points.
     bounds : sequence of 4 or 6 numbers, optional

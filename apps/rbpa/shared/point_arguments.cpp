@@ -91,6 +91,7 @@ SpacePointSource parse_space_source(const SpacePointArguments& arguments, std::v
                           .format = parse_format(Use::space, arguments.points, arguments.format, "POINTS")};
   if (arguments.columns) source.choice.columns = parse_space_columns(*arguments.columns);
   source.choice.skip_invalid = arguments.skip_invalid;
+  source.choice.needs_normals = false;
   source.choice.window = parse_window(arguments.bounds, arguments.resolution);
   source.choice.waters = arguments.waters ? Waters::counted : Waters::left_out;
   if (arguments.waters) require_molecule(source.format, "--waters", "without atoms");

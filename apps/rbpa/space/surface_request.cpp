@@ -134,6 +134,7 @@ SurfaceRequest parse(const SurfaceArguments& arguments) {
         "--suggest-repairs cannot be combined with --fill-holes or --watertight, which close holes themselves");
   request.targets =
       parse_targets(Use::surface, arguments, arguments.points, {arguments.holes, json_report(arguments.json)});
+  request.source.choice.needs_normals = how.source.value_or(NormalSource::given) == NormalSource::given;
   request.source.choice.keeps = parse_fields_of(arguments.fields, request.targets);
   request.shift = parse_shift_of(arguments.shift, request.targets);
   if (arguments.refine) {
