@@ -55,7 +55,8 @@ MergedPoints merge_points(const PolygonSoup& soup, std::span<const std::uint32_t
   result.merged = soup.points - result.point_was.size();
 
   const PolygonSoup merged = renumbered(soup, number, result.point_was.size(), step);
-  const detail::FaceFaults faults = detail::find_face_faults(merged, go_on);
+  detail::FaceFaults faults = detail::find_face_faults(merged, go_on);
+  detail::keep_walls(merged, faults, go_on);
   result.soup.points = merged.points;
   for (std::size_t f = 0; f < merged.faces(); ++f) {
     step();

@@ -1,6 +1,6 @@
 // What: merges points of a soup, and drops the faces that become degenerate or duplicate.
-// Law:  no remaining face is degenerate or repeats another. If no points merge, only faces that were degenerate or
-//       duplicate before are dropped.
+// Law:  no remaining face is degenerate, or repeats another unless both are a wall that repair() keeps. If no points
+//       merge, only faces that were degenerate or duplicate before are dropped.
 // Cost: near-linear.
 #pragma once
 

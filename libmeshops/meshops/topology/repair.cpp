@@ -4,6 +4,7 @@
 #include <array>
 #include <numeric>
 
+#include "meshops/topology/soup_defects.h"
 #include "meshops/topology/soup_sides.h"
 
 namespace meshops {
@@ -17,7 +18,8 @@ using SoupEdge = std::span<const SoupSide>;
 
 class Repairer {
  public:
-  Repairer(const PolygonSoup& given, const GoOn& go_on) : given_(given), go_on_(go_on), step_(go_on) {}
+  Repairer(const PolygonSoup& given, bool keeps_walls, const GoOn& go_on)
+      : given_(given), keeps_walls_(keeps_walls), go_on_(go_on), step_(go_on) {}
 
   Repair operator()() {
     take_faces();
@@ -32,6 +34,12 @@ class Repairer {
       return a.kind < b.kind;
     });
     return std::move(result_);
+  }
+
+  /// Returns whether the two sides of each wall are apart in the result. They may not be if a face of a wall was
+  /// reversed, or if the surfaces on both sides are joined elsewhere.
+  bool parts_walls(const Repair& result) const {
+    return twin_.empty() || (!reverses_wall_ && find_defects(result.soup, go_on_).empty());
   }
 
  private:
@@ -59,7 +67,8 @@ class Repairer {
       while (cycle.size() > 1 && cycle.front() == cycle.back()) cycle.pop_back();
       cleaned.add_face(cycle);
     }
-    const detail::FaceFaults faults = detail::find_face_faults(cleaned, go_on_);
+    detail::FaceFaults faults = detail::find_face_faults(cleaned, go_on_);
+    if (keeps_walls_) detail::keep_walls(cleaned, faults, go_on_);
     result_.soup.points = given_.points;
     result_.steps.reserve(faults.of.size() -
                           static_cast<std::size_t>(std::count(faults.of.begin(), faults.of.end(), FaceFault::none)));
@@ -77,6 +86,11 @@ class Repairer {
       result_.soup.add_face(cleaned.face(f));
       result_.face_was.push_back(f);
     }
+    if (faults.twin.empty()) return;
+    std::vector<std::uint32_t> number(given_.faces(), detail::FaceFaults::none);
+    for (std::uint32_t f = 0; f < result_.face_was.size(); ++f) number[result_.face_was[f]] = f;
+    for (const std::size_t was : result_.face_was)
+      twin_.push_back(faults.twin[was] == detail::FaceFaults::none ? faults.twin[was] : number[faults.twin[was]]);
   }
 
   /// Reverses in each piece the smaller of its two sets of faces that agree. Returns: whether any face was reversed.
@@ -84,6 +98,8 @@ class Repairer {
     PolygonSoup& soup = result_.soup;
     auto pieces = detail::pieces_of(
         soup, sides, [](SoupEdge) {}, go_on_);
+    for_each_pair_at_walls(sides,
+                           [&](const SoupSide& a, const SoupSide& b) { pieces.unite(a.face(), b.face(), false); });
     std::vector<std::array<std::size_t, 2>> count(soup.faces(), {0, 0});
     for (std::uint32_t f = 0; f < soup.faces(); ++f) {
       step_();
@@ -96,6 +112,7 @@ class Repairer {
       const auto& [even, odd] = count[pieces.find(f)];
       if (pieces.is_odd(f) == (odd > even)) continue;
       any = true;
+      reverses_wall_ = reverses_wall_ || (!twin_.empty() && twin_[f] != detail::FaceFaults::none);
       const auto face = soup.face(f);
       did(RepairKind::face_reversed, {face.begin(), face.end()}, {result_.face_was[f]});
       // The first corner of the face stays the first.
@@ -103,6 +120,16 @@ class Repairer {
                    soup.corners.begin() + static_cast<std::ptrdiff_t>(soup.begin[f + 1]));
     }
     return any;
+  }
+
+  /// Calls pair(side, side) for the sides that belong to one surface at edges of walls.
+  template <typename Pair>
+  void for_each_pair_at_walls(const SoupSides& sides, Pair pair) {
+    for (std::size_t e = 0; !twin_.empty() && e < sides.edges(); ++e) {
+      step_();
+      if (const auto pairs = detail::sides_of_wall(sides.edge(e), twin_))
+        for (const auto& [a, b] : *pairs) pair(a, b);
+    }
   }
 
   std::uint32_t copy_of(std::uint32_t p) {
@@ -116,6 +143,10 @@ class Repairer {
   void part_fans(const SoupSides& all) {
     PolygonSoup& soup = result_.soup;
     auto fans = detail::fans_of(soup, all, fits, go_on_);
+    for_each_pair_at_walls(all, [&](const SoupSide& a, const SoupSide& b) {
+      fans.unite(a.corner_at_low(), b.corner_at_low());
+      fans.unite(a.corner_at_high(), b.corner_at_high());
+    });
     std::vector<bool> taken(soup.points, false);
     std::vector<std::uint32_t> point_of(soup.corners.size());
     for (std::uint32_t c = 0; c < soup.corners.size(); ++c) {
@@ -154,8 +185,11 @@ class Repairer {
   }
 
   const PolygonSoup& given_;
+  const bool keeps_walls_;
   const GoOn& go_on_;
   Steps step_;
+  std::vector<std::uint32_t> twin_;  // FaceFaults::twin, for the faces of result_.soup
+  bool reverses_wall_ = false;
   Repair result_;
 };
 
@@ -181,6 +215,10 @@ std::string describe(const RepairStep& step) {
   return text;
 }
 
-Repair repair(const PolygonSoup& soup, const GoOn& go_on) { return Repairer(soup, go_on)(); }
+Repair repair(const PolygonSoup& soup, const GoOn& go_on) {
+  Repairer repairer(soup, true, go_on);
+  Repair result = repairer();
+  return repairer.parts_walls(result) ? std::move(result) : Repairer(soup, false, go_on)();
+}
 
 }  // namespace meshops

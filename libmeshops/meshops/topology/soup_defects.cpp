@@ -26,7 +26,7 @@ void find_bad_faces(const SoupAnatomy& anatomy, Steps& step, std::vector<SoupDef
       {{FaceFault::out_of_range, SoupDefectKind::corner_out_of_range},
        {FaceFault::degenerate, SoupDefectKind::degenerate_face},
        {FaceFault::duplicate, SoupDefectKind::duplicate_face}}};
-  const auto& [of, repeats] = anatomy.faults;
+  const auto& [of, repeats, twin] = anatomy.faults;
   defects.reserve(of.size() - static_cast<std::size_t>(std::count(of.begin(), of.end(), FaceFault::none)));
   for (const auto& [fault, kind] : kinds)
     for (std::size_t f = 0; f < anatomy.soup.faces(); ++f) {

@@ -131,6 +131,17 @@ void sort_by_high(Iterator first, Iterator last, Steps& step) {
   }
 }
 
+/// Returns whether two faces with the same cycle of corners run in opposite directions.
+bool run_against(std::span<const std::uint32_t> one, std::span<const std::uint32_t> other) {
+  const auto at = std::find(other.begin(), other.end(), one[0]);
+  return (at + 1 == other.end() ? other.front() : at[1]) != one[1];
+}
+
+/// Returns whether four sides meet at an edge, two in each direction.
+bool is_double(std::span<const SoupSide> edge) {
+  return edge.size() == 4 && std::count_if(edge.begin(), edge.end(), [](const auto& s) { return s.ascending(); }) == 2;
+}
+
 void require_readable(const PolygonSoup& soup) {
   require_parted(soup);
   constexpr std::size_t limit = std::size_t{1} << 30U;
@@ -152,6 +163,66 @@ FaceFaults find_face_faults(const PolygonSoup& soup, const GoOn& go_on) {
   }
   find_duplicates(soup, faults, go_on);
   return faults;
+}
+
+void keep_walls(const PolygonSoup& soup, FaceFaults& faults, const GoOn& go_on) {
+  constexpr std::uint32_t none = FaceFaults::none;
+  if (faults.repeats.empty()) return;
+  Steps step(go_on);
+  std::vector<std::uint32_t> copies(soup.faces(), 0), twin(soup.faces(), none);
+  for (std::size_t f = 0; f < soup.faces(); ++f) copies[faults.repeats[f]] += faults.of[f] == FaceFault::duplicate;
+  for (std::size_t f = 0; f < soup.faces(); ++f) {
+    step();
+    const std::size_t first = faults.repeats[f];
+    if (faults.of[f] != FaceFault::duplicate || copies[first] != 1 || !run_against(soup.face(first), soup.face(f)))
+      continue;
+    twin[f] = static_cast<std::uint32_t>(first);
+    twin[first] = static_cast<std::uint32_t>(f);
+    faults.of[f] = FaceFault::none;
+  }
+  const SoupSides sides(soup, faults, go_on);
+  DisjointSets walls(soup.faces());
+  std::vector<std::uint32_t> wrong;
+  for (std::size_t e = 0; e < sides.edges(); ++e) {
+    const auto edge = sides.edge(e);
+    step(edge.size());
+    std::uint32_t last = none;
+    for (const SoupSide& side : edge) {
+      if (twin[side.face()] == none) continue;
+      if (last != none) walls.unite(last, side.face());
+      last = side.face();
+    }
+    if (last != none && !is_double(edge)) wrong.push_back(last);
+  }
+  std::vector<bool> is_wrong(soup.faces(), false);
+  for (const std::uint32_t f : wrong) is_wrong[walls.find(f)] = true;
+  for (std::uint32_t f = 0; f < soup.faces(); ++f) {
+    if (twin[f] == none) continue;
+    if (!is_wrong[walls.find(f)]) {
+      faults.twin.resize(soup.faces(), none);
+      faults.twin[f] = twin[f];
+    } else if (twin[f] < f) {
+      faults.of[f] = FaceFault::duplicate;
+    }
+  }
+}
+
+std::optional<std::array<std::array<SoupSide, 2>, 2>> sides_of_wall(std::span<const SoupSide> edge,
+                                                                    const std::vector<std::uint32_t>& twin) {
+  if (twin.empty() || !is_double(edge)) return std::nullopt;
+  for (const SoupSide& one : edge) {
+    if (twin[one.face()] == FaceFaults::none) continue;
+    std::array<std::array<SoupSide, 2>, 2> pairs{{{one, {}}, {}}};
+    for (const SoupSide& other : edge) {
+      if (other.face() == one.face()) continue;
+      if (other.face() == twin[one.face()])
+        pairs[1][0] = other;
+      else
+        pairs[other.ascending() == one.ascending() ? 1 : 0][1] = other;
+    }
+    return pairs;
+  }
+  return std::nullopt;
 }
 
 bool has_sound_faces(const PolygonSoup& soup, const GoOn& go_on) {

@@ -1,8 +1,10 @@
 // What: the sides of the faces of a soup, grouped by edge, and the fans that corners form through these sides.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,11 +21,19 @@ enum class FaceFault : std::uint8_t { none, out_of_range, degenerate, duplicate 
 struct FaceFaults {
   std::vector<FaceFault> of;         ///< for each face, its first fault in the order of FaceFault
   std::vector<std::size_t> repeats;  ///< by face: for a duplicate, the first face with its cycle; or empty
+  /// By face: for a face of a wall, the face on its other side, otherwise `none`; empty if there is no wall.
+  std::vector<std::uint32_t> twin = {};
+  static constexpr std::uint32_t none = 0xffffffff;
 };
 
 /// Finds the faults of all faces. Throws: ContractViolation as require_parted() does, or for 2³⁰ or more corners,
 /// points or faces, which are too many for handles; Cancelled.
 FaceFaults find_face_faults(const PolygonSoup& soup, const GoOn& go_on);
+
+/// Finds walls, and removes the faults of their faces. A wall is made of pairs of faces with the same corners in
+/// opposite directions. At each of its edges four sides meet, two in each direction, so that it parts two surfaces.
+/// Requires: `faults` is find_face_faults(soup); not checked. Throws Cancelled.
+void keep_walls(const PolygonSoup& soup, FaceFaults& faults, const GoOn& go_on);
 
 /// Returns whether every corner is a point, and every face has three or more corners, all distinct. The only fault that
 /// a face can still have is that it is a duplicate. Throws what find_face_faults() throws.
@@ -57,6 +67,12 @@ class SoupSide {
 inline bool fits(std::span<const SoupSide> edge) {
   return edge.size() == 1 || (edge.size() == 2 && edge[0].ascending() != edge[1].ascending());
 }
+
+/// Returns the two pairs of sides that belong to the same surface at an edge: of the four sides, those of a face of a
+/// wall and of a face that runs along the edge in the other direction and is not its twin. Returns nothing if there is
+/// no such face, or not two sides run in each direction.
+std::optional<std::array<std::array<SoupSide, 2>, 2>> sides_of_wall(std::span<const SoupSide> edge,
+                                                                    const std::vector<std::uint32_t>& twin);
 
 /// Sides of faces, sorted by edge and then by face.
 class SoupSides {

@@ -3,10 +3,14 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <numeric>
+#include <random>
 #include <set>
 
 #include "meshops/topology/build_mesh.h"
+#include "meshops/topology/merge_points.h"
 #include "meshops/topology/report.h"
 #include "meshops/topology/soup_defects.h"
 #include "support/arguments.h"
@@ -179,6 +183,74 @@ TEST_SUITE("repair") {
     CHECK(whole.components == 2);
     CHECK(whole.boundary_curves == 0);
     CHECK(whole.betti == BettiNumbers{2, 0, 2});
+  }
+
+  TEST_CASE("closed solids that share walls stay closed") {
+    // Cells of a grid of columns × rows × layers cubes, cut in triangles or not, whose faces point outward.
+    const auto cells = [](std::uint32_t columns, std::uint32_t rows, std::uint32_t layers, bool cut) {
+      const auto at = [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
+        return (i * (rows + 1) + j) * (layers + 1) + k;
+      };
+      PolygonSoup all;
+      all.points = at(columns, rows, layers) + 1;
+      for (std::uint32_t i = 0; i < columns; ++i)
+        for (std::uint32_t j = 0; j < rows; ++j)
+          for (std::uint32_t k = 0; k < layers; ++k) {
+            const auto p = [&](unsigned bits) { return at(i + (bits & 1U), j + (bits >> 1U & 1U), k + (bits >> 2U)); };
+            for (const auto& side : {std::array{0U, 4U, 6U, 2U},
+                                     {1U, 3U, 7U, 5U},
+                                     {0U, 1U, 5U, 4U},
+                                     {2U, 6U, 7U, 3U},
+                                     {0U, 2U, 3U, 1U},
+                                     {4U, 5U, 7U, 6U}}) {
+              std::array<std::uint32_t, 4> face{};
+              for (std::size_t c = 0; c < 4; ++c) face[c] = p(side[c]);
+              std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+              if (!cut) all.add_face(face);
+              if (cut) all.add_face(std::array{face[0], face[1], face[2]});
+              if (cut) all.add_face(std::array{face[0], face[2], face[3]});
+            }
+          }
+      return all;
+    };
+    PolygonSoup tetrahedra =
+        soup(5, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}, {0, 1, 2}, {0, 4, 1}, {1, 4, 2}, {2, 4, 0}});
+    PolygonSoup against = tetrahedra;  // the second one points inward: no wall, as the faces repeat each other
+    std::reverse(against.corners.begin() + 12, against.corners.end());
+    struct Row {
+      const char* name;
+      PolygonSoup given;
+      std::size_t solids, dropped;
+    };
+    std::mt19937 random(9);
+    for (const Row& row : {
+             Row{"two tetrahedra", tetrahedra, 2, 0},
+             {"two tetrahedra that face each other's way", against, 0, 1},
+             {"two cubes", cells(2, 1, 1, false), 2, 0},
+             {"three cubes in a row", cells(3, 1, 1, false), 3, 0},
+             {"three cubes in a row, of triangles", cells(1, 1, 3, true), 3, 0},
+             {"four cubes around an edge: which faces belong together there does not follow", cells(2, 2, 1, false), 0,
+              4},
+             {"a sheet with two sides", soup(4, {{0, 1, 2}, {2, 1, 0}, {0, 2, 3}, {3, 2, 0}}), 0, 2},
+         })
+      for (int shuffle = 0; shuffle < 4; ++shuffle) {
+        INFO(std::string(row.name) << " " << shuffle);
+        const PolygonSoup given = shuffle == 0 ? row.given : shuffled(row.given, random, true).soup;
+        const Repair r = repair(given);
+        CHECK(find_defects(r.soup).empty());
+        check_accounted(given, r);
+        CHECK(given.faces() - r.soup.faces() == row.dropped);
+        const TopologyReport now = report(r.soup);
+        std::size_t closed = 0;
+        for (const ComponentReport& piece : now.per_component) closed += piece.boundary_curves == 0;
+        CHECK(closed == row.solids);
+        // Points that are merged come with walls as well, which a repair then parts.
+        std::vector<std::uint32_t> least(given.points);
+        std::iota(least.begin(), least.end(), 0U);
+        const MergedPoints merged = merge_points(given, least);
+        CHECK(merged.duplicate == row.dropped);
+        CHECK(merged.soup.faces() == r.soup.faces());
+      }
   }
 
   TEST_CASE("a surface that is not orientable is cut open and stays one piece") {
