@@ -88,7 +88,11 @@ MeshFile read_progressive(const std::string& path, std::size_t faces) try {
   soup_of_vertices(false);  // of the full mesh; isolated vertices stay
   mesh.go_to(faces);
   meshops::PolygonSoup soup = soup_of_vertices(true);
-  return mesh_of(mesh.positions(), is_left, std::move(soup));
+  MeshFile result = mesh_of(mesh.positions(), is_left, std::move(soup));
+  if (faces < mesh.least())
+    result.warnings.push_back("the least number of faces is " + std::to_string(mesh.least()) +
+                              ", more than --at-faces " + std::to_string(faces));
+  return result;
 } catch (const InvalidInput& error) {
   throw BadInput((path == "-" ? "standard input" : path) + ": " + error.what());
 }

@@ -24,8 +24,8 @@ struct DecimatedMesh {
 DecimatedMesh decimate(const MeshFile& mesh, const DecimationOptions& choice, bool progressive);
 
 /// Reads a progressive mesh, and returns it at the greatest possible number of triangles that is at most `faces`, or at
-/// its least number. Vertices that no triangle has at this number are left out. Throws BadInput that names the file and
-/// what is wrong with the bytes; Failure.
+/// its least number, with a warning. Vertices that no triangle has at this number are left out. Throws BadInput that
+/// names the file and what is wrong with the bytes; Failure.
 MeshFile read_progressive(const std::string& path, std::size_t faces);
 
 struct RemeshedMesh {

@@ -150,6 +150,9 @@ TEST_SUITE("meshtopo --decimate") {
       };
       CHECK(at("130") == folder.content("coarse.off"));
       CHECK(at("0") == folder.content("coarse.off"));
+      CHECK(folder.meshtopo("m.pm --at-faces 130 -q --check defects=0", 0).err.empty());
+      CHECK(folder.meshtopo("m.pm --at-faces 9 -q --check defects=0", 0).err ==
+            "meshtopo: m.pm: the least number of faces is 130, more than --at-faces 9\n");
       for (const std::string faces : {"131", "200", "777"}) {
         CHECK(folder.meshtopo(given + " -q --decimate " + faces + " -o n.off").code == 0);
         CHECK(at(faces) == folder.content("n.off"));
