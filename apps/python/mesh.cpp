@@ -21,6 +21,7 @@
 #include "rbpa/space/simplify/decimate_mesh.h"
 #include "rbpa/space/simplify/progressive_mesh.h"
 #include "rbpa/space/simplify/remesh.h"
+#include "rbpa/space/simplify/subdivide.h"
 
 namespace rbpa::python {
 namespace {
@@ -293,6 +294,18 @@ auto remesh_copy(Mesh& mesh, const Doubles& points, const Doubles& lengths, std:
                          *counts.distance, *counts.distance_back);
 }
 
+auto subdivide_copy(Mesh& mesh, const Doubles& points, bool by_loop, unsigned times, const py::object& progress) {
+  return change_copy(
+             mesh, points, long_work, progress,
+             [&](auto& copy, auto& moved, const GoOn& go_on) {
+               subdivide(
+                   static_cast<meshops::Connectivity&>(copy), moved,
+                   {.rule = by_loop ? SubdivisionRule::loop : SubdivisionRule::sqrt3, .times = times, .go_on = go_on});
+               return true;
+             })
+      .first;
+}
+
 void bind_progressive(py::module_& module) {
   using py::arg;
   py::class_<ProgressiveMesh>(module, "ProgressiveMesh")
@@ -393,6 +406,7 @@ void bind_mesh(py::module_& module) {
   bind_mesh_operators(module, mesh);
   mesh.def("_decimate", &decimate_copy, as_is("points"), arg("faces"), arg("error"), arg("no_crossings"),
            arg("measured"), arg("progress"));
+  mesh.def("_subdivide", &subdivide_copy, as_is("points"), arg("by_loop"), arg("times"), arg("progress"));
   mesh.def("_remesh", &remesh_copy, as_is("points"), as_is("length"), arg("error"), arg("rounds"), arg("sharp_angle"),
            arg("keep_boundary"), arg("progress"));
   mesh.def(py::pickle(&state_of, [](const py::tuple& state) {

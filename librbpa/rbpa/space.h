@@ -38,6 +38,7 @@
 #include "rbpa/space/simplify/quadric.h"
 #include "rbpa/space/simplify/quadric_policy.h"
 #include "rbpa/space/simplify/remesh.h"
+#include "rbpa/space/simplify/subdivide.h"
 #include "rbpa/space/solid/periodic_solid.h"
 #include "rbpa/space/solid/solid.h"
 #include "rbpa/space/solid/solid_boundary.h"

@@ -107,3 +107,29 @@ def test_what_cannot_be_remeshed_is_refused_and_the_mesh_stays():
     with pytest.raises(rbpa.ContractViolation, match="face 0 is not a triangle"):
         rbpa.meshops.Mesh([[0, 1, 2, 3]]).remesh(np.zeros((4, 3)), 1)
     assert mesh.n_faces == 1280 and np.array_equal(mesh.triangles(), rbpa.meshops.Mesh(triangles).triangles())
+
+
+def test_subdivision_multiplies_triangles_and_keeps_the_topology():
+    points, triangles = torus(12, 8)
+    for rule, factor in (("loop", 4), ("sqrt3", 3)):
+        mesh = rbpa.meshops.Mesh(triangles)
+        before = mesh.report()
+        fine = mesh.subdivide(points, rule, 2)
+        after = mesh.report()
+        assert mesh.n_faces == factor**2 * len(triangles) and fine.shape == (mesh.n_vertices, 3)
+        assert (after.betti, after.genus, after.boundary_curves) == (before.betti, before.genus, 0)
+        once = rbpa.meshops.Mesh(triangles)
+        assert np.array_equal(once.subdivide(once.subdivide(points, rule), rule), fine)
+    with pytest.raises(rbpa.InvalidInput, match="rule: found 'cubic', expected 'loop' or 'sqrt3'"):
+        once.subdivide(fine, "cubic")
+    with pytest.raises(rbpa.InvalidInput, match="times: found -1"):
+        once.subdivide(fine, "loop", -1)
+    with pytest.raises(rbpa.InvalidInput, match="as the limit is 20000000 triangles"):
+        once.subdivide(fine, "loop", 20)
+
+
+def test_with_an_error_both_distances_are_measured():
+    points, triangles = torus(24, 10)
+    mesh = rbpa.meshops.Mesh(triangles)
+    made = mesh.remesh(points, 1, error=0.01)
+    assert 0 < made.distance <= 0.01 and 0 < made.distance_back <= 0.012

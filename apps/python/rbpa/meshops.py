@@ -179,6 +179,37 @@ class Mesh(_core.Mesh):
         rounds = as_count(rounds, "rounds", 0)
         return Remeshing(*self._remesh(array, lengths, error, rounds, sharp_angle, bool(keep_boundary), progress))
 
+    def subdivide(
+        self, points: npt.ArrayLike, rule: str = "loop", times: int = 1, *, progress: Progress = None
+    ) -> Floats:
+        """Subdivides the mesh in place, and returns the position of each vertex.
+
+        The topology stays. Elements keep their numbers, and new ones follow.
+
+        Parameters
+        ----------
+        points
+            As for `decimate`.
+        rule : str
+            "loop" makes four triangles of one, "sqrt3" three; "sqrt3" leaves boundary curves as they are.
+        times : int
+            The number of times that the rule is applied.
+        progress
+            As for `alpha_shape`.
+
+        Raises
+        ------
+        InvalidInput
+            More than twenty million triangles would be made, or a vertex has several fans.
+        ContractViolation, Cancelled
+            As in `decimate`.
+        """
+        if rule not in ("loop", "sqrt3"):
+            raise InvalidInput(f"rule: found {shown(rule)}, expected 'loop' or 'sqrt3'")
+        return self._subdivide(
+            as_points(points, columns=3), rule == "loop", as_count(times, "times", 0), progress
+        )
+
 
 class ProgressiveMesh(_core.ProgressiveMesh):
     """A mesh that goes to any number of triangles between a decimated mesh and the given one, in both directions.
