@@ -69,6 +69,7 @@ std::string change_option(const TopologyArguments& arguments) {
          : arguments.close_tunnels_below ? "--close-tunnels-below"
          : arguments.decimate            ? "--decimate"
          : arguments.remesh              ? "--remesh"
+         : arguments.subdivide           ? "--subdivide"
                                          : "";
 }
 
@@ -94,6 +95,17 @@ RemeshOptions parse_remesh(const std::string& text) {
   RemeshOptions options{.length = size(std::string_view(text).substr(0, end))};
   if (end < text.size()) options.error = size(std::string_view(text).substr(end + error.size()));
   return options;
+}
+
+/// Parses loop:N or sqrt3:N. Throws WrongUsage that names the text.
+SubdivisionOptions parse_subdivide(const std::string& text) {
+  const std::size_t colon = std::min(text.find(':'), text.size());
+  const std::string_view rule = std::string_view(text).substr(0, colon);
+  const std::size_t times = parse_count(std::string_view(text).substr(std::min(colon + 1, text.size()))).value_or(0);
+  if ((rule != name(SubdivisionRule::loop) && rule != name(SubdivisionRule::sqrt3)) || times == 0 || times > 1000)
+    bad_usage("--subdivide", in_quotes(text), "loop:N or sqrt3:N, N the number of times, such as loop:2");
+  return {.rule = rule == name(SubdivisionRule::loop) ? SubdivisionRule::loop : SubdivisionRule::sqrt3,
+          .times = static_cast<unsigned>(times)};
 }
 
 /// Throws WrongUsage for options that require a single input, as they write a mesh or generators, and for a second "-".
@@ -154,6 +166,7 @@ TopologyPlan plan(TopologyArguments arguments) {
               "another ending, such as .pm (only --at-faces reads the file)");
   plan.progressive = arguments.progressive;
   if (arguments.remesh) plan.remesh = parse_remesh(*arguments.remesh);
+  if (arguments.subdivide) plan.subdivide = parse_subdivide(*arguments.subdivide);
   for (const std::string& list : arguments.checks)
     for (Check& check : parse_checks(list)) plan.checks.push_back(std::move(check));
   const bool output_is_mesh = arguments.output && writes_mesh(arguments);

@@ -29,6 +29,7 @@ struct TopologyArguments {
   std::optional<std::string> close_tunnels_below;
   std::optional<std::string> decimate;
   std::optional<std::string> remesh;
+  std::optional<std::string> subdivide;
   bool no_crossings = false;
   std::optional<std::string> progressive;
   std::optional<std::string> at_faces;
@@ -61,6 +62,7 @@ struct TopologyPlan {
   std::optional<std::size_t> at_faces = std::nullopt;     ///< the meshes are progressive, and are read at this number
   std::optional<std::string> progressive = std::nullopt;  ///< file for the progressive mesh of a decimation
   std::optional<RemeshOptions> remesh = std::nullopt;     ///< length and error
+  std::optional<SubdivisionOptions> subdivide = std::nullopt;
   std::optional<TopologyTarget> report = std::nullopt;
   std::optional<TopologyTarget> written = std::nullopt;  ///< file for the mesh after all edits and repairs
   std::optional<Shift> shift = std::nullopt;             ///< vector to subtract from the positions in STL
@@ -68,7 +70,7 @@ struct TopologyPlan {
   bool shortest = false;  ///< write a basis of the least total length
 
   /// Returns whether an option other than --repair changes the mesh.
-  bool changes() const { return edits.any() || fill || tunnels_below || decimate || remesh; }
+  bool changes() const { return edits.any() || fill || tunnels_below || decimate || remesh || subdivide; }
   /// Returns the paths of the outputs that are written, in this order: progressive mesh, mesh, generators, report.
   std::vector<std::string> outputs() const;
 };

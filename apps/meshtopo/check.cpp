@@ -16,9 +16,10 @@ namespace {
 using meshops::SoupDefectKind;
 
 constexpr std::string_view yes_or_no[] = {"closed", "manifold", "oriented", "orientable"};
-constexpr std::string_view counts[] = {"vertices",         "edges", "faces",   "euler",    "components",
-                                       "boundary_curves",  "genus", "pinches", "isolated", "defects",
-                                       "geometric_defects"};
+constexpr std::string_view crossings = "crossings";
+constexpr std::string_view counts[] = {"vertices",          "edges",  "faces",   "euler",    "components",
+                                       "boundary_curves",   "genus",  "pinches", "isolated", "defects",
+                                       "geometric_defects", crossings};
 
 template <std::size_t count>
 bool is_among(const std::string_view (&names)[count], std::string_view name) {
@@ -57,7 +58,8 @@ std::optional<long> count_of(std::string_view name, const Examined& mesh) {
                                                               {"pinches", t.pinches},
                                                               {"isolated", t.isolated},
                                                               {"defects", mesh.defects.size()},
-                                                              {"geometric_defects", mesh.geometric_defects.size()}};
+                                                              {"geometric_defects", mesh.geometric_defects.size()},
+                                                              {crossings, mesh.crossings}};
   return value_of(
       std::find_if(std::begin(numbers), std::end(numbers), [&](const auto& n) { return n.first == name; })->second);
 }
@@ -91,6 +93,10 @@ std::vector<Check> parse_checks(const std::string& list) {
   std::vector<Check> checks;
   for (const std::string_view text : split_at_commas(list)) checks.push_back(parse_check(std::string(text)));
   return checks;
+}
+
+bool requires_crossings(const std::vector<Check>& checks) {
+  return std::any_of(checks.begin(), checks.end(), [](const Check& check) { return check.name == crossings; });
 }
 
 std::string known_checks() {

@@ -13,6 +13,9 @@ namespace rbpa::app {
 /// whose message lists all properties, and for a wrong value.
 std::vector<Check> parse_checks(const std::string& list);
 
+/// Returns whether Examined::crossings is required.
+bool requires_crossings(const std::vector<Check>& checks);
+
 /// Returns the list of all properties for help and messages: "closed, manifold, oriented, orientable, vertices=N, ...".
 std::string known_checks();
 

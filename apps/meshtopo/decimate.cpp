@@ -106,4 +106,14 @@ RemeshedMesh remesh(const MeshFile& mesh, RemeshOptions options) {
   return result;
 }
 
+std::string_view name(SubdivisionRule rule) { return rule == SubdivisionRule::loop ? "loop" : "sqrt3"; }
+
+SubdividedMesh subdivide(const MeshFile& mesh, SubdivisionOptions options) {
+  SubdividedMesh result{.mesh = {}, .report = {options.rule, options.times, mesh.soup.faces(), 0}};
+  options.go_on = until_interrupted();
+  result.mesh = changed(mesh, [&](auto& halfedges, auto& places) { rbpa::subdivide(halfedges, places, options); });
+  result.report.left = result.mesh.soup.faces();
+  return result;
+}
+
 }  // namespace rbpa::app

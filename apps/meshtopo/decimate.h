@@ -1,14 +1,17 @@
-// What: decimates or remeshes a mesh of triangles, for --decimate and --remesh; writes and reads progressive meshes.
-// Law:  that of rbpa::decimate(), rbpa::ProgressiveMesh and rbpa::remesh(). The vertices left by a decimation keep the
-//       order of the given mesh.
-// Cost: that of meshops::build_mesh(), and of rbpa::decimate() or rbpa::remesh().
+// What: decimates, remeshes or subdivides a mesh of triangles, for --decimate, --remesh and --subdivide; writes and
+//       reads progressive meshes.
+// Law:  that of rbpa::decimate(), rbpa::ProgressiveMesh, rbpa::remesh() and rbpa::subdivide(). The vertices left by a
+//       decimation keep the order of the given mesh.
+// Cost: that of meshops::build_mesh(), and of the function of the library.
 #pragma once
 
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 #include "io/mesh/read_mesh.h"
 #include "rbpa/space/simplify/remesh.h"
+#include "rbpa/space/simplify/subdivide.h"
 #include "triangulation/choices.h"
 
 namespace rbpa::app {
@@ -36,6 +39,25 @@ struct RemeshedMesh {
 /// Remeshes a copy of `mesh` to edges of about `length`, and measures the distance. Requires: `mesh` is a surface of
 /// triangles without defects other than pinches. Throws InvalidInput if the length does not suit the mesh; Cancelled.
 RemeshedMesh remesh(const MeshFile& mesh, RemeshOptions options);
+
+/// The counts of a subdivision.
+struct Subdivided {
+  SubdivisionRule rule;
+  unsigned times;
+  std::size_t given, left;  ///< numbers of triangles before and after
+};
+
+/// Returns the name of a rule: "loop" or "sqrt3".
+std::string_view name(SubdivisionRule rule);
+
+struct SubdividedMesh {
+  MeshFile mesh;  ///< without line numbers; new vertices follow
+  Subdivided report;
+};
+
+/// Subdivides a copy of `mesh`. Requires: `mesh` is a surface of triangles without defects other than pinches. Throws
+/// InvalidInput if there would be too many triangles; Cancelled.
+SubdividedMesh subdivide(const MeshFile& mesh, SubdivisionOptions options);
 
 /// Returns the number of faces of `mesh` that are not triangles.
 std::size_t polygons_in(const MeshFile& mesh);

@@ -36,6 +36,7 @@ struct Examined {
   std::vector<meshops::SoupDefect> defects;
   std::vector<GeometricDefect> geometric_defects;
   Measures measures = {};
+  std::size_t crossings = 0;  ///< number of pairs of faces that cross; 0 if no check requires it
 };
 
 struct Findings {
@@ -48,7 +49,9 @@ struct Findings {
   std::optional<Decimation> decimated = std::nullopt;   ///< nullopt if not requested
   std::optional<Remeshing> remeshed = std::nullopt;     ///< nullopt if not requested
 
-  bool has_changes() const { return edits.any() || fill || tunnels || decimated || remeshed; }
+  std::optional<Subdivided> subdivided = std::nullopt;  ///< nullopt if not requested
+
+  bool has_changes() const { return edits.any() || fill || tunnels || decimated || remeshed || subdivided; }
 
   std::optional<Examined> result = std::nullopt;  ///< facts about the resulting mesh; nullopt if nothing requires them
   std::vector<CheckResult> checks = {};

@@ -5,8 +5,10 @@
 
 #include "io/interrupt.h"
 #include "io/mesh/equal_positions.h"
+#include "io/mesh/write_mesh.h"
 #include "io/mesh/zero_area.h"
 #include "io/sort.h"
+#include "rbpa/space/repair/crossing_triangles.h"
 
 namespace rbpa::app {
 namespace {
@@ -58,6 +60,24 @@ std::vector<GeometricDefect> find_geometric_defects(const MeshFile& mesh) {
   find_zero_areas(mesh, defects);
   find_coincident(mesh, defects);
   return defects;
+}
+
+std::size_t count_crossings(const MeshFile& mesh, std::size_t most) {
+  const TriangulatedFaces faces(mesh.positions, mesh.soup);
+  std::vector<std::uint32_t> face_of;
+  for (std::size_t f = 0; f < mesh.soup.faces(); ++f)
+    for (std::size_t corner = 2; corner < mesh.soup.face(f).size(); ++corner)
+      face_of.push_back(static_cast<std::uint32_t>(f));
+  const GoOn go_on = until_interrupted();
+  auto pairs =
+      crossing_triangles(faces.vertices, faces.triangles, most, {.progress = [&](const auto&) { return go_on(); }});
+  for (auto& [one, other] : pairs) {
+    one = face_of[one];
+    other = face_of[other];
+  }
+  std::erase_if(pairs, [](const auto& pair) { return pair.first == pair.second; });
+  sort(pairs);
+  return static_cast<std::size_t>(std::unique(pairs.begin(), pairs.end()) - pairs.begin());
 }
 
 }  // namespace rbpa::app

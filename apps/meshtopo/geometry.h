@@ -29,4 +29,9 @@ std::string_view name(GeometryKind kind);
 /// Cost: linear, and a sort of the coincident vertices. Throws Cancelled.
 std::vector<GeometricDefect> find_geometric_defects(const MeshFile& mesh);
 
+/// Returns the number of pairs of faces whose triangles cross, as crossing_triangles() defines it; stops at about
+/// `most`. Faces of more than three corners are fans of triangles. Cost: that of crossing_triangles(). Throws
+/// Cancelled.
+std::size_t count_crossings(const MeshFile& mesh, std::size_t most);
+
 }  // namespace rbpa::app

@@ -18,7 +18,7 @@ constexpr const char* description =
     "The report counts vertices, edges, faces, components and boundary curves, gives the genus, and lists each "
     "defect that keeps the faces from being an oriented 2-manifold with boundary. Options change the mesh in this "
     "order: --weld, --drop-small and --keep-largest, --orient, --repair, --fill-holes, --close-tunnels-below, "
-    "--decimate, --remesh. The "
+    "--decimate, --remesh, --subdivide. The "
     "result is reported, checked and written.\n";
 
 std::function<ExitCode()> declare(CLI::App& app) {
@@ -75,6 +75,9 @@ std::function<ExitCode()> declare(CLI::App& app) {
             "Make the edges of a mesh of triangles about as long as LENGTH, in units of the vertices, with six at "
             "a vertex, after a decimation; with error=E shorter where the surface curves, and no point of the result "
             "farther than E from the faces before. Sharp edges and boundary curves stay, and the topology is the same");
+  add_value(app, "--subdivide", arguments.subdivide, "loop:N|sqrt3:N",
+            "Make a mesh of triangles finer and smoother, N times: by Loop's rule four triangles of one, by the sqrt3 "
+            "rule three; what is closed stays closed, and a boundary curve depends on itself alone");
   add_value(app, "--check", arguments.checks, "LIST",
             "Check properties of each mesh, such as closed,manifold,oriented,genus=0,components=1; print a line "
             "on standard error for each that does not hold, and exit with code 4. Check the changed mesh, and a "
@@ -95,7 +98,8 @@ std::function<ExitCode()> declare(CLI::App& app) {
       "  meshtopo scan.ply --decimate 10000 -o small.ply --check closed\n"
       "  meshtopo scan.ply --decimate 500 --progressive scan.pm\n"
       "  meshtopo scan.pm --at-faces 20000 -o part.ply\n"
-      "  meshtopo part.stl --weld 0 --remesh 2.5 -o even.ply\n\n"
+      "  meshtopo part.stl --weld 0 --remesh 2.5 -o even.ply\n"
+      "  meshtopo coarse.obj --subdivide loop:2 -o smooth.ply\n\n"
       "Properties for --check: " +
       known_checks() +
       ". A mesh is closed if every edge has two faces.\n"

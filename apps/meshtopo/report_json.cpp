@@ -99,6 +99,11 @@ Json as_json(const Findings& findings) {
                       {"flips", findings.remeshed->flips},
                       {"distance", *findings.remeshed->distance},
                       {"distance_back", *findings.remeshed->distance_back}};
+  if (findings.subdivided)
+    json["subdivide"] = {{"rule", name(findings.subdivided->rule)},
+                         {"times", findings.subdivided->times},
+                         {"triangles_before", findings.subdivided->given},
+                         {"triangles", findings.subdivided->left}};
   return json;
 }
 

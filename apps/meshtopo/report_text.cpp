@@ -151,7 +151,17 @@ std::string changes(const Findings& findings) {
             app::counted(findings.remeshed->left, "triangle") + ", at most " +
             rounded_up(*findings.remeshed->distance) + " from those before, which are at most " +
             rounded_up(*findings.remeshed->distance_back) + " from them\n";
+  if (findings.subdivided)
+    text += "  subdivided by " + std::string(name(findings.subdivided->rule)) + " " +
+            app::counted(findings.subdivided->times, "time") + ", from " + std::to_string(findings.subdivided->given) +
+            " to " + app::counted(findings.subdivided->left, "triangle") + "\n";
   return text;
+}
+
+std::size_t zero_area_faces(const Examined& mesh) {
+  const auto& all = mesh.geometric_defects;
+  return static_cast<std::size_t>(
+      std::count_if(all.begin(), all.end(), [](const auto& d) { return d.kind == GeometryKind::zero_area_face; }));
 }
 
 std::string indented(const std::string& lines) {
@@ -194,6 +204,8 @@ std::string report_text(const Findings& findings, std::size_t most) {
   if (findings.repair)
     text += findings.repair->empty() ? "\nrepair: nothing to do\n"
                                      : "\nrepair\n" + listed(*findings.repair, findings.mesh, most);
+  if (const std::size_t flat = zero_area_faces(given); findings.repair && !findings.edits.any() && flat > 0)
+    text += "  left as they are: " + app::counted(flat, "zero-area face") + "\n";
   if (findings.has_changes()) text += changes(findings);
   if (findings.result) text += "\nresult\n" + indented(numbers(*findings.result));
   if (!findings.checks.empty()) text += checks(findings.checks);

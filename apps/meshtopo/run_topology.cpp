@@ -1,6 +1,7 @@
 #include "meshtopo/run_topology.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "io/bytes/output_file.h"
@@ -91,7 +92,8 @@ class Run {
         repaired->positions.push_back(whole.positions[found.stands_on[i]]);
     }
     const MeshFile& surface = repaired ? *repaired : whole;
-    if (!repaired && (plan_.fill || plan_.tunnels_below || plan_.decimate || plan_.remesh || plan_.generators)) {
+    if (!repaired &&
+        (plan_.fill || plan_.tunnels_below || plan_.decimate || plan_.remesh || plan_.subdivide || plan_.generators)) {
       std::vector<meshops::SoupDefect> defects =
           edited ? meshops::find_defects(whole.soup, until_interrupted()) : findings.given.defects;
       if (edited)
@@ -100,6 +102,7 @@ class Run {
                       : plan_.tunnels_below ? "--close-tunnels-below"
                       : plan_.decimate      ? "--decimate"
                       : plan_.remesh        ? "--remesh"
+                      : plan_.subdivide     ? "--subdivide"
                                             : "--generators",
                       findings, defects, source);
     }
@@ -132,7 +135,16 @@ class Run {
       findings.remeshed = remeshed->report;
       warn_if_far(*plan_.remesh, remeshed->report, source);
     }
-    const MeshFile& result = remeshed ? remeshed->mesh : small;
+    const MeshFile& even = remeshed ? remeshed->mesh : small;
+    std::optional<SubdividedMesh> subdivided;
+    if (plan_.subdivide) {
+      require_triangles("--subdivide", even, source);
+      subdivided = subdivide(even, source);
+      findings.subdivided = subdivided->report;
+    }
+    const MeshFile& result = subdivided ? subdivided->mesh : even;
+    if (remeshed || subdivided || (decimated && !plan_.decimate->no_crossings))
+      warn_if_crossing(closed, result, source);
     const bool is_stl = plan_.written && plan_.written->format == Format::stl;
     const bool is_wanted = findings.has_changes() || (repaired && !plan_.checks.empty());
     const bool is_kept = !is_stl || keep_in_stl(result, is_wanted, findings);
@@ -149,6 +161,17 @@ class Run {
     }
     check(findings, source);
     report(findings);
+  }
+
+  /// Prints a warning if faces of the result of --decimate, --remesh or --subdivide cross, and none did before.
+  void warn_if_crossing(const MeshFile& before, const MeshFile& after, const MeshSource& source) const {
+    const ProgressLine shown = line("crossings");
+    if (count_crossings(after, 1) == 0 || count_crossings(before, 1) > 0) return;
+    say("meshtopo", name_of(source) + ": faces of the result cross, and none did before (" +
+                        (plan_.subdivide ? "--subdivide moves vertices"
+                         : plan_.remesh  ? "--remesh with a lesser length, or error=E"
+                                         : "--no-crossings") +
+                        ")");
   }
 
   /// Prints a warning if a distance exceeds --remesh error=E: that of the result by rounding, or that of the mesh before
@@ -259,12 +282,14 @@ class Run {
   }
 
   Examined examine(const MeshFile& mesh) const {
+    constexpr auto all = std::numeric_limits<std::size_t>::max();
     const ProgressLine shown = line("topology of " + short_number(static_cast<double>(mesh.soup.faces())) + " faces");
     meshops::Examination found = meshops::examine(mesh.soup, until_interrupted());
     return {.topology = std::move(found.report),
             .defects = std::move(found.defects),
             .geometric_defects = find_geometric_defects(mesh),
-            .measures = measure(mesh)};
+            .measures = measure(mesh),
+            .crossings = requires_crossings(plan_.checks) ? count_crossings(mesh, all) : 0};
   }
 
   EditedMesh edit(const MeshFile& mesh) const {
@@ -295,6 +320,13 @@ class Run {
   RemeshedMesh remesh(const MeshFile& mesh, const MeshSource& source) const try {
     const ProgressLine shown = line("remeshing");
     return app::remesh(mesh, *plan_.remesh);
+  } catch (const InvalidInput& error) {
+    throw BadInput(name_of(source) + ": --" + error.what());
+  }
+
+  SubdividedMesh subdivide(const MeshFile& mesh, const MeshSource& source) const try {
+    const ProgressLine shown = line("subdividing");
+    return app::subdivide(mesh, *plan_.subdivide);
   } catch (const InvalidInput& error) {
     throw BadInput(name_of(source) + ": --" + error.what());
   }

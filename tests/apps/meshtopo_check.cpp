@@ -1,6 +1,7 @@
 // meshtopo --check, and several meshes at once: messages, outputs, and exit codes.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "support/data_folder.h"
@@ -88,6 +89,42 @@ TEST_SUITE("meshtopo --check") {
           "meshtopo: standard input: closed: found 1 boundary curve, expected none\n");
   }
 
+  TEST_CASE("crossings counts pairs of faces that cross, of all sorts, and of polygons once") {
+    const Meshes folder;
+    struct Row {
+      const char *name, *points, *faces;
+      int crossings;
+    };
+    const std::string square = "0 0 0\n2 0 0\n2 2 0\n0 2 0\n";
+    for (const Row& row : {
+             Row{"side by side", "", "3 0 1 2\n3 0 2 3\n", 0},
+             {"a face twice", "", "3 0 1 2\n3 2 1 0\n", 1},
+             {"a square pierced", "1 1 -1\n1 1.5 1\n1.5 1 1\n", "4 0 1 2 3\n3 4 5 6\n", 1},
+             {"a T-junction", "0 1 0\n-2 0 0\n-2 2 0\n", "3 0 2 3\n3 0 4 5\n3 4 3 6\n", 2},
+             {"equal places", "0 0 0\n2 0 0\n1 -2 0\n", "3 0 1 2\n3 5 4 6\n", 0},
+             {"no area", "1 1 0\n", "3 0 1 2\n3 0 2 4\n", 0},
+         }) {
+      CAPTURE(row.name);
+      const std::string points = square + row.points, faces = row.faces;
+      const auto lines = [](const std::string& text) {
+        return std::to_string(std::count(text.begin(), text.end(), '\n'));
+      };
+      folder.file("c.off", "OFF\n" + lines(points) + " " + lines(faces) + " 0\n" + points + faces);
+      CHECK(folder.failures("c.off", "crossings=" + std::to_string(row.crossings)).empty());
+      CHECK(folder.failures("c.off", "crossings=9") ==
+            "meshtopo: c.off: crossings: found " + std::to_string(row.crossings) + ", expected 9\n");
+    }
+    // Two sheets that get coarser than their distance.
+    const std::string sheets = (rbpa_test::bundled_data() / "m3_spot.off").string();
+    const std::string run = "'" + sheets + "' -q --check crossings=0 -o o.off ";
+    const Outcome outcome = folder.meshtopo(run + "--remesh 0.3", 4);
+    CHECK(outcome.err.find(
+              "faces of the result cross, and none did before (--remesh with a lesser length, or error=E)") !=
+          std::string::npos);
+    CHECK(outcome.err.find("crossings: found ") != std::string::npos);
+    CHECK(folder.meshtopo(run + "--remesh 0.3,error=0.01", 0).err.empty());
+  }
+
   TEST_CASE("the report is written also if a check fails, and has the checks") {
     const Meshes folder;
     const Outcome text = folder.meshtopo("open.off --check closed,genus=0", 4);
@@ -115,11 +152,20 @@ TEST_SUITE("meshtopo --check") {
     CHECK(folder.content("left.off") == folder.content("good.off"));
   }
 
+  TEST_CASE("a repair says that faces without area stay") {
+    const Meshes folder;
+    folder.file("flat.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n2 0 0\n0 1 0\n3 0 1 3\n3 0 2 1\n");
+    CHECK(folder.meshtopo("flat.off --repair o.off")
+              .out.ends_with("\nrepair: nothing to do\n  left as they are: 1 zero-area face\n"));
+    CHECK(folder.meshtopo("whole.off --repair o.off").out.ends_with("\nrepair: nothing to do\n"));
+  }
+
   TEST_CASE("unknown properties are wrong usage, and the known ones are listed") {
     const Meshes folder;
     const std::string known =
         "closed, manifold, oriented, orientable, vertices=N, edges=N, faces=N, euler=N, components=N, "
-        "boundary_curves=N, genus=N, pinches=N, isolated=N, defects=N, geometric_defects=N\n";
+        "boundary_curves=N, genus=N, pinches=N, isolated=N, defects=N, geometric_defects=N, "
+        "crossings=N\n";
     for (const std::string name : {"open", "Closed", "genus 0", "boundary-curves=0", "", "=0"}) {
       const Outcome outcome = folder.meshtopo("whole.off --check '" + name + "'", 2);
       CHECK(outcome.err == "meshtopo: --check: found '" + name + "', expected one of " + known);

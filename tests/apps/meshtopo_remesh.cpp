@@ -67,6 +67,32 @@ TEST_SUITE("meshtopo --remesh") {
     CHECK(folder.content("one.off").size() > 4000);
   }
 
+  TEST_CASE("--subdivide multiplies faces, keeps the topology, and reports the rule; what does not suit is refused") {
+    const Folder folder;
+    for (const auto& [rule, factor] : {std::pair<std::string, int>{"loop", 4}, {"sqrt3", 3}})
+      for (const std::string name : {"m3_torus.off", "m3_cube_no_bottom.off"}) {
+        CAPTURE(name);
+        const json report = changed(folder, data + "/" + name + " --subdivide " + rule + ":2 -o fine.ply");
+        for (const char* key : {"genus", "betti", "boundary_curves", "components", "euler"})
+          CHECK(report["result"][key] == report[key]);
+        const int faces = report["faces"].get<int>();
+        CHECK(report["changes"]["subdivide"] ==
+              json{{"rule", rule}, {"times", 2}, {"triangles_before", faces}, {"triangles", factor * factor * faces}});
+        CHECK(changed(folder, "fine.ply")["faces"] == factor * factor * faces);
+      }
+    CHECK(contains(folder.meshtopo(data + "/m3_torus.off --subdivide loop:1 -o fine.ply", 0).out,
+                   "\n  subdivided by loop 1 time, from 4608 to 18432 triangles\n"));
+    for (const std::string wrong : {"loop", "loop:", "loop:0", "loop:x", "butterfly:1", ":1", "loop:-1", "Loop:1"})
+      meshtopo_refuses(
+          folder, data + "/m3_spot.off --subdivide='" + wrong + "' -o o.off", 2,
+          "--subdivide: found '" + wrong + "', expected loop:N or sqrt3:N, N the number of times, such as loop:2");
+    meshtopo_says(folder, data + "/m3_spot.off --subdivide loop:20 -o o.off", 3,
+                  "m3_spot.off: --subdivide: found 20 times, expected at most 6");
+    folder.file("p.off", pyramid_off);
+    CHECK(contains(folder.meshtopo("p.off --subdivide loop:1 -o o.off", 3).err, "as --subdivide requires"));
+    CHECK_FALSE(folder.has("o.off"));
+  }
+
   TEST_CASE("wrong lengths, lengths that do not suit the mesh, and polygons are refused, nothing written") {
     const Folder folder;
     for (const std::string wrong : {"0", "-1", "x", "nan", "inf", "10%", "1,error=0", "1,error=", "1,0.1", "error=1"})
