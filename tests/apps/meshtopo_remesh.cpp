@@ -22,7 +22,7 @@ TEST_SUITE("meshtopo --remesh") {
       std::string name;
       double length;
     };
-    for (const Row& row : {Row{"m3_spot.off", 0.08}, Row{"m3_torus.off", 0.1}, Row{"m3_plate_holes.off", 20}}) {
+    for (const Row& row : {Row{"m3_spot.off", 0.08}, Row{"m3_torus.off", 0.1}, Row{"m3_plate_holes.off", 15}}) {
       CAPTURE(row.name);
       const double length = row.length;
       const json report =
