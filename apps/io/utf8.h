@@ -1,6 +1,7 @@
 // What: characters of texts in UTF-8, and the conversion of other texts.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string>
@@ -40,12 +41,15 @@ inline Character first_character(std::string_view text) {
 }
 
 inline bool is_utf8(std::string_view text) {
-  while (!text.empty()) {
+  for (;;) {
+    const auto* const ascii_end =
+        std::find_if(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) >= 0x80U; });
+    text.remove_prefix(static_cast<std::size_t>(ascii_end - text.begin()));
+    if (text.empty()) return true;
     const std::size_t size = first_character(text).size;
     if (size == 0) return false;
     text.remove_prefix(size);
   }
-  return true;
 }
 
 /// Returns a text in UTF-8: unchanged if it is, and otherwise read as Windows-1252, as older programs write it. The

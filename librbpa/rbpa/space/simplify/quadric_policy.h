@@ -155,7 +155,7 @@ class MeshQuadrics : public QuadricPolicy {
 /// Simplifies a mesh in place, down to the limits of `options`. Deleted elements stay in the mesh until
 /// garbage_collection(). `options.cost` is in units of QuadricPolicy::cost().
 /// Requires: simplify_blocker(mesh) is empty; a sound mesh with three finite coordinates for each vertex.
-/// Throws:   ContractViolation that names a vertex that is not at a finite place, or an option of `quadrics` that is
+/// Throws:   ContractViolation that names a vertex whose coordinates are not finite, or an option of `quadrics` that is
 ///           out of its range; as meshops::simplify().
 template <meshops::HasPoints AnyMesh, typename Visitor = meshops::SimplifyVisitor>
 meshops::SimplifyResult simplify(AnyMesh& mesh, const meshops::SimplifyOptions& options,
@@ -163,7 +163,8 @@ meshops::SimplifyResult simplify(AnyMesh& mesh, const meshops::SimplifyOptions& 
   meshops::detail::enforce("simplify", meshops::simplify_blocker(mesh));
   const std::vector<Point3> places = places_of(mesh);
   for (std::size_t v = 0; v < places.size(); ++v)
-    meshops::require(is_finite(places[v]), "simplify: vertex ", static_cast<long long>(v), " is not at a finite place");
+    meshops::require(is_finite(places[v]), "simplify: found coordinates of vertex ", static_cast<long long>(v),
+                     " that are not finite, expected numbers");
   return meshops::simplify(mesh, MeshQuadrics<AnyMesh>(mesh, quadrics), options, visitor);
 }
 

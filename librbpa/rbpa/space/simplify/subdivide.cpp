@@ -26,10 +26,7 @@ using meshops::Face;
 using meshops::Halfedge;
 using meshops::Vertex;
 
-template <typename Handle>
-std::size_t index_of(Handle h) {
-  return static_cast<std::size_t>(h.idx());
-}
+using space::index_of;
 
 Point3 plus(const Point3& p, double weight, const Point3& q) {
   return {p.x + weight * q.x, p.y + weight * q.y, p.z + weight * q.z};

@@ -207,7 +207,7 @@ TEST_CASE("decimation names what it refused, and takes crossings of the input") 
     auto broken = crossing_mesh<rbpa::Mesh>(sheet(4, 1));
     broken.set_point(Vertex(12), {0, wrong, 0});
     CHECK_THROWS_WITH_AS(rbpa::simplify(broken, {}, {.no_crossings = true}),
-                         "no_crossings: found coordinates of vertex 12 that are not finite, expected numbers",
+                         "simplify: found coordinates of vertex 12 that are not finite, expected numbers",
                          meshops::ContractViolation);
     CHECK(meshops::report(broken).faces == 32);
   }
