@@ -52,7 +52,7 @@ TEST_SUITE("text rows") {
     CHECK(read(two, {.where = good}).first == std::vector<double>{4, 5});
     for (const auto& [text, message] :
          {std::pair<std::string, std::string>{"STB 2\n", "p:1: found 'STB 2', expected STA and the number of points"},
-          {"STA 3\n1 2 3 .5\n", "p: found 10 bytes of data, expected 3 points as line 1 says"},
+          {"STA 3\n1 2 3 .5\n", "p: found 9 bytes of data, expected 3 points as line 1 says"},
           {"STA 1\n1 2 3 .5\n4 5 6 .75\n",
            "p:3: found '4 5 6 .75', expected the end of the file after 1 point as line 1 says"},
           {"STA 1\n1 2 x .5\n", ""}})
