@@ -80,8 +80,8 @@ struct Snapshot {
       : places(std::move(at)), triangles(space::corners_of(mesh)), distance(places, triangles, go_on) {}
 
   /// Raises the distance of each vertex to the greatest one from the other triangles that is found at the vertex, in
-  /// the middles of its edges and in those of its triangles.
-  void raise(std::vector<double>& distances, const Snapshot& from, meshops::Steps& step) const {
+  /// the middles of its triangles and, on request, of its edges.
+  void raise(std::vector<double>& distances, const Snapshot& from, bool at_edges, meshops::Steps& step) const {
     const auto ask = [&](const Point3& p, std::initializer_list<std::uint32_t> vertices) {
       const double found = space::distance(p, from.distance.nearest_point(p, infinity)->place);
       for (const std::uint32_t v : vertices) distances[v] = std::max(distances[v], found);
@@ -96,7 +96,7 @@ struct Snapshot {
       ask({(p.x + q.x + r.x) / 3, (p.y + q.y + r.y) / 3, (p.z + q.z + r.z) / 3}, {a, b, c});
       for (const auto& [v, w] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
         const Point3 &s = places[v], &e = places[w];
-        ask({(s.x + e.x) / 2, (s.y + e.y) / 2, (s.z + e.z) / 2}, {v, w});
+        if (at_edges) ask({(s.x + e.x) / 2, (s.y + e.y) / 2, (s.z + e.z) / 2}, {v, w});
         if (is_done[v]) continue;
         is_done[v] = true;
         ask(s, {v});
@@ -129,11 +129,11 @@ void repeat_weighted(meshops::Connectivity& mesh, CertifiedPolicy& policy, std::
   for (std::size_t round = 0; run(); ++round) {
     const Snapshot after(mesh, policy.places(), go_on);
     std::vector<double> distances(mesh.n_vertices(), 0.0);
-    after.raise(distances, before, step);
+    after.raise(distances, before, true, step);
     // A merged vertex has the distance of the vertex that is left of it.
     for (auto c = collapses.rbegin(); c != collapses.rend(); ++c)
       distances[index_of(c->effect.removed.vertex)] = distances[index_of(c->effect.survivor)];
-    before.raise(distances, after, step);
+    before.raise(distances, after, false, step);
     const double greatest = *std::max_element(distances.begin(), distances.end());
     is_best = greatest < least;
     if (is_best) {
