@@ -136,7 +136,7 @@ bool commas_are_decimal(std::string_view line, char separator);
 /// Returns the separator that `line` names, if it is "sep=;" or the like, which Excel may write as the first line.
 std::optional<char> separator_hint(std::string_view line);
 
-/// Returns whether the field is a number, with a decimal point or comma.
+/// Returns whether the field is a number, with a decimal point or comma, of at most 65,536 characters.
 bool is_number(std::string_view field);
 
 /// Returns whether the field looks like a number, such as "1.0D0", "−1", "12o" or "<0.5": the field has a digit, and it
