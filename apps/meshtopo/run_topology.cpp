@@ -8,6 +8,7 @@
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/mesh/write_mesh.h"
+#include "io/number.h"
 #include "io/progress_line.h"
 #include "meshops/topology/examine.h"
 #include "meshtopo/check.h"

@@ -104,7 +104,8 @@ TEST_SUITE("bad input") {
                                      {"f.off", "OFF\n3 1 0\n", "3 0 1 2\n", "1 face line as line 2 says", true},
                                      {"p.ply", ply, "3 0 1 2\n", "1 face element as line 7 says", true},
                                      {"p.pcd", pcd, "", "3 points as line 9 says", false}}) {
-      CAPTURE(name);
+      const std::string file = name;
+      CAPTURE(file);
       const Folder folder(name, head + points + faces + "# a comment\n\n");
       CHECK(folder.rbpa("surface --radius 2 -o s.off " + name).code == 0);
       folder.file(name, head + points + faces + "5 5 1\n");

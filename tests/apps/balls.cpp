@@ -201,8 +201,8 @@ TEST_SUITE("balls") {
                                        {"element == 'H'", 2},
                                        {"element != 'H'", 2},
                                        {"element == 'C'", 1}}) {
-      CAPTURE(where);
       const std::string condition = std::string(" --where \"") + where + "\"";
+      CAPTURE(condition);
       CHECK(folder.rbpa("balls l.pdb" + condition).err.find(", " + std::to_string(atoms) + " kept") !=
             std::string::npos);
       CHECK(folder.rbpa("solid l.pdb --alpha inf -o s.npy" + condition)

@@ -145,8 +145,9 @@ TEST_SUITE("grid") {
          "there is no contour line: no triangle of circumradius <= 0.1 reaches a height"},
         {"none.wkt --contours 2 -o o.wkt", "there is no contour line: there is no point"}};
     for (const auto& [call, reason] : calls) {
-      CAPTURE(call);
-      CHECK(folder.rbpa("grid " + call + " -q", 0).err == "rbpa: " + reason + "\n");
+      const std::string arguments = "grid " + call + " -q";
+      CAPTURE(arguments);
+      CHECK(folder.rbpa(arguments, 0).err == "rbpa: " + reason + "\n");
     }
     CHECK(folder.rbpa("grid p.xyz --cell 1 --contours 2 -o o.asc -o o.wkt -q", 0).err.empty());
   }

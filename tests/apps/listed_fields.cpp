@@ -216,7 +216,8 @@ TEST_SUITE("listed_fields") {
         {"shape u.csv --group-by g --alpha 3 -o u.geojson", "u.geojson", "\"5 " + euro + "\""}};
     folder.file("u.csv", "x,y,g\n0,0,5 \x80\n1,0,5 \x80\n0,1,5 \x80\n");
     for (const auto& [run, file, text] : shown) {
-      CAPTURE(run);
+      const std::string arguments = run;
+      CAPTURE(arguments);
       CHECK(!contains(folder.rbpa(run, 0).err, "UTF-8"));
       CHECK(contains(folder.content(file), text));
       CHECK(rbpa::app::is_utf8(folder.content(file)));

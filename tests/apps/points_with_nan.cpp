@@ -19,7 +19,7 @@ using rbpa::app::SpacePoints;
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 template <typename Number>
 std::string bytes(const std::vector<double>& values) {
@@ -44,7 +44,8 @@ const std::string ply =
     "property double z\nend_header\n";
 const std::string pcd = "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 2\nHEIGHT 2\nPOINTS 4\n";
 const std::string text = "1 2 3\nnan nan nan\n4 5 6\n7 8 inf\n";
-const std::vector<double> numbers = {1, 2, 3, nan, nan, nan, 4, 5, 6, 7, 8, std::numeric_limits<double>::infinity()};
+const std::vector<double> numbers = {1, 2, 3, no_number, no_number, no_number,
+                                     4, 5, 6, 7,         8,         std::numeric_limits<double>::infinity()};
 
 SpacePoints read(const std::string& content, Format format, const CloudRequest& request) {
   return rbpa::app::space_points_in(content, "p", format, request);
@@ -95,7 +96,7 @@ TEST_SUITE("points with NaN") {
 
   TEST_CASE("normals of length 0 or NaN are refused only where they are used") {
     const std::string lines = "0 0 0 0 0 1\n1 0 0 0 0 0\n0 1 0 0 0 1\n0 0 1 nan 0 1\n";
-    std::vector<double> values = {0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, nan, 0, 1};
+    std::vector<double> values = {0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, no_number, 0, 1};
     struct Row {
       const char* name;
       Format format;

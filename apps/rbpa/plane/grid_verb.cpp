@@ -168,10 +168,11 @@ struct GridRun {
 
   std::string why_no_line(const std::vector<double>& levels) const {
     if (values.empty()) return "there is no point";
-    const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    if (std::none_of(levels.begin(), levels.end(), [&](double h) { return *low < h && h <= *high; }))
-      return "no height of --contours is above the lowest, " + text_of(*low) + ", and up to the highest, " +
-             text_of(*high);
+    const auto ends = std::minmax_element(values.begin(), values.end());
+    const double low = *ends.first, high = *ends.second;
+    if (std::none_of(levels.begin(), levels.end(), [&](double h) { return low < h && h <= high; }))
+      return "no height of --contours is above the lowest, " + text_of(low) + ", and up to the highest, " +
+             text_of(high);
     if (triangles.triangles.empty()) return why_no_value();
     return "no triangle" + (std::isinf(alpha) ? "" : " of circumradius <= " + text_of(alpha)) + " reaches a height";
   }

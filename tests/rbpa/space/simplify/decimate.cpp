@@ -160,10 +160,12 @@ TEST_CASE("where few triangles are left, the last collapses are repeated: nearer
                                    {"spot", read_off(bundled_data() / "m3_spot.off"), 40}};
   std::mt19937 random(5);
   double product = 1, count = 0;
-  for (const auto& [name, t, faces] : cases)
+  for (const Case& each : cases)
     for (const rbpa::QuadricOptions& quadrics :
          {rbpa::QuadricOptions{}, {.at_ends = true}, {.no_crossings = true}, {.single_precision = true}}) {
-      INFO(std::string(name), ", at ends: ", quadrics.at_ends, ", no crossings: ", quadrics.no_crossings);
+      const Triangles& t = each.triangles;
+      const std::size_t faces = each.faces;
+      INFO(std::string(each.name), ", at ends: ", quadrics.at_ends, ", no crossings: ", quadrics.no_crossings);
       Placed with(t), once(t), other(shuffled(t, random));
       const auto before = meshops::report(with.mesh);
       const rbpa::Decimation counts = rbpa::decimate(with.mesh, with.places, {.faces = faces}, quadrics);

@@ -81,7 +81,8 @@ TEST_CASE("subdivision multiplies triangles, keeps the topology, and does not de
         {"torus", read_off(bundled_data() / "m3_torus.off")},
         {"cube without bottom", read_off(bundled_data() / "m3_cube_no_bottom.off")}})
     for (const auto& [rule, factor] : {std::pair(SubdivisionRule::loop, 4U), {SubdivisionRule::sqrt3, 3U}}) {
-      INFO(std::string(row.name) << " " << factor);
+      const std::string title = std::string(row.name) + " " + std::to_string(factor);
+      CAPTURE(title);
       Placed one(row.given), other(shuffled(row.given, random)), twice(row.given);
       const auto before = meshops::report(one.mesh);
       const std::size_t faces = one.mesh.n_faces();
