@@ -1,4 +1,4 @@
-// What: a mesh without points and the place of each vertex, as decimate() takes them.
+// What: a mesh without points and the place of each vertex, as decimate(), remesh() and subdivide() take them.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,15 @@
 
 namespace rbpa_test {
 
-/// A mesh without points, with the status properties of all its elements; places[v] is the place of vertex v.
+/// A mesh without points; places[v] is the place of vertex v. Its elements have status properties unless that is
+/// declined.
 struct Placed {
-  explicit Placed(const Triangles& t) {
+  explicit Placed(const Triangles& t, bool has_status = true) {
     meshops::PolygonSoup soup;
     soup.points = t.points.size();
     for (const auto& corners : t.corners) soup.add_face(corners);
     for (const std::uint32_t point : meshops::build_mesh(mesh, soup)) places.push_back(t.points[point]);
-    meshops::request_status(mesh);
+    if (has_status) meshops::request_status(mesh);
   }
   OpenMesh::PolyConnectivity mesh;
   std::vector<Point3> places;

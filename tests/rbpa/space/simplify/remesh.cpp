@@ -24,7 +24,7 @@
 #include "rbpa/base/error.h"
 #include "rbpa/space/repair/crossing_triangles.h"
 #include "rbpa/space/simplify/distance/distance_of_mesh.h"
-#include "space/simplify/triangle_sets.h"
+#include "space/simplify/placed.h"
 #include "support/data_folder.h"
 
 using namespace rbpa_test;
@@ -36,14 +36,8 @@ TEST_SUITE_BEGIN("space");
 
 namespace {
 
-/// A mesh without points, and the place of each vertex.
-struct Placed {
-  explicit Placed(const Triangles& t) {
-    meshops::PolygonSoup soup;
-    soup.points = t.points.size();
-    for (const auto& corners : t.corners) soup.add_face(corners);
-    for (const std::uint32_t point : meshops::build_mesh(mesh, soup)) places.push_back(t.points[point]);
-  }
+struct RemeshedMesh : Placed {
+  explicit RemeshedMesh(const Triangles& t) : Placed(t, false) {}
   const Point3& at(Vertex v) const { return places[static_cast<std::size_t>(v.idx())]; }
   double length(meshops::Edge e) const {
     const auto h = mesh.halfedge_handle(e, 0);
@@ -63,8 +57,6 @@ struct Placed {
     return p[0].x * (p[1].y * p[2].z - p[1].z * p[2].y) + p[0].y * (p[1].z * p[2].x - p[1].x * p[2].z) +
            p[0].z * (p[1].x * p[2].y - p[1].y * p[2].x);
   }
-  OpenMesh::PolyConnectivity mesh;
-  std::vector<Point3> places;
 };
 
 /// Checks that the mesh is sound, and has the topology of the report.
@@ -79,7 +71,7 @@ void check_topology(const meshops::Connectivity& mesh, const meshops::TopologyRe
 
 /// The share of inner vertices with six edges, and the share of edges from 4/5 to 4/3 of the length.
 struct Evenness {
-  Evenness(const Placed& with, double length) {
+  Evenness(const RemeshedMesh& with, double length) {
     double inner = 0;
     for (const Vertex v : with.mesh.vertices())
       if (!with.mesh.is_isolated(v) && !with.mesh.is_boundary(v)) {
@@ -193,7 +185,7 @@ TEST_CASE("with an error, the result is within it, and near all of the given mes
   for (const Row& row : rows)
     for (const double part : {0.02, 0.005}) {
       INFO(std::string(row.name) << " " << part);
-      Placed with(row.given);
+      RemeshedMesh with(row.given);
       const auto before = meshops::report(with.mesh);
       const double error = part * row.length;
       const Remeshing counts =
@@ -205,7 +197,7 @@ TEST_CASE("with an error, the result is within it, and near all of the given mes
         CHECK(rbpa::crossing_triangles(with.places, rbpa::space::corners_of(with.mesh), 1).empty());
       CHECK(Evenness(with, row.length).regular >= 0.5);
       // The distances are those of the arrays.
-      const Placed given(row.given);
+      const RemeshedMesh given(row.given);
       const auto triangles = rbpa::space::corners_of(with.mesh), first = rbpa::space::corners_of(given.mesh);
       const rbpa::space::SurfaceDistance from_given(given.places, first), from_result(with.places, triangles);
       CHECK(rbpa::space::distance_of(with.mesh, with.places, from_given, {}) <= 1.05 * error);
@@ -232,7 +224,7 @@ TEST_CASE("remesh makes edges of about one length and six at a vertex, near the 
            {"m3_torus.off", 2, 0.8, 0.98, 0.2},
        }) {
     INFO(std::string(row.name) << " " << row.factor);
-    Placed with(read_off(bundled_data() / row.name));
+    RemeshedMesh with(read_off(bundled_data() / row.name));
     const auto before = meshops::report(with.mesh);
     const double length = row.factor * with.mean_length();
     const std::size_t given = with.mesh.n_faces();
@@ -254,7 +246,7 @@ TEST_CASE("remesh keeps the topology of torn and touching meshes, down to length
     const Triangles t = torn(seed);
     const double size = seed % 2 == 0 ? 1 : 12;
     for (const double length : {0.1 * size, 0.3 * size, size}) {
-      Placed with(t);
+      RemeshedMesh with(t);
       const auto before = meshops::report(with.mesh);
       rbpa::remesh(with.mesh, with.places, {.length = length, .rounds = 3, .keep_boundary = seed % 3 == 0});
       check_topology(with.mesh, before);
@@ -269,7 +261,7 @@ TEST_CASE("the remeshed mesh is the same, numbers included, for shuffled vertice
   for (const char* name : {"m3_spot.off", "m3_cube_no_bottom.off", "m3_plate_holes.off"})
     all.push_back(read_off(bundled_data() / name));
   for (const Triangles& t : all) {
-    Placed one(t), other(shuffled(t, random));
+    RemeshedMesh one(t), other(shuffled(t, random));
     const RemeshOptions options{.length = 1.3 * one.mean_length(), .rounds = 4};
     rbpa::remesh(one.mesh, one.places, options);
     rbpa::remesh(other.mesh, other.places, options);
@@ -282,9 +274,9 @@ TEST_CASE("lengths at vertices are those of the list, grow slowly, and make the 
   std::mt19937 random(12);
   const auto wanted = [](const Point3& p) { return p.x < 7 ? 0.3 : 9.0; };
   const Triangles t = sheet(40, 4);
-  Placed one(t), other(shuffled(t, random)), even(t);
+  RemeshedMesh one(t), other(shuffled(t, random)), even(t);
   const auto before = meshops::report(one.mesh);
-  for (Placed* with : {&one, &other}) {
+  for (RemeshedMesh* with : {&one, &other}) {
     std::vector<double> lengths;
     for (const Point3& p : with->places) lengths.push_back(wanted(p));
     rbpa::remesh(with->mesh, with->places, {.length = 2, .lengths = lengths});
@@ -303,19 +295,19 @@ TEST_CASE("lengths at vertices are those of the list, grow slowly, and make the 
   CHECK(sum[0] / count[0] == doctest::Approx(0.3).epsilon(0.1));
   CHECK(sum[2] / count[2] == doctest::Approx(2).epsilon(0.15));
   // A list without shorter lengths is none.
-  Placed same(t);
+  RemeshedMesh same(t);
   rbpa::remesh(even.mesh, even.places, {.length = 2});
   rbpa::remesh(same.mesh, same.places, {.length = 2, .lengths = std::vector<double>(t.points.size(), 3)});
   CHECK(even.places == same.places);
 }
 
 TEST_CASE("with an error, edges are as long as the curvature allows, also between coarse triangles, and no shorter") {
-  const auto remeshed = [](Placed& with, double length, double error) {
+  const auto remeshed = [](RemeshedMesh& with, double length, double error) {
     return rbpa::remesh(with.mesh, with.places, {.length = length, .error = error, .measured = true});
   };
   for (const double error : {0.003, 0.012}) {
     INFO(error);
-    Placed ball(sphere(6));
+    RemeshedMesh ball(sphere(6));
     CHECK(remeshed(ball, 1, error).distance.value() < 1.5 * error);
     CHECK(ball.mean_length() == doctest::Approx(std::sqrt(6 * error)).epsilon(0.12));
     // Points of a cylinder of height 6 at its ends only.
@@ -328,31 +320,31 @@ TEST_CASE("with an error, edges are as long as the curvature allows, also betwee
       tube.corners.push_back({a, b, b + 1});
       tube.corners.push_back({a, b + 1, a + 1});
     }
-    Placed round(tube);
+    RemeshedMesh round(tube);
     remeshed(round, 1, error);
     for (const auto e : round.mesh.edges()) CHECK(round.length(e) < 4.0 / 3 * std::sqrt(6 * error) + 1e-9);
     CHECK(round.mean_length() > 0.75 * std::sqrt(6 * error));
   }
   // Powers of two keep all digits.
-  Placed ball(sphere(3));
+  RemeshedMesh ball(sphere(3));
   remeshed(ball, 1, 0.012);
   for (const double unit : {0x1p-160, 0x1p+160}) {
     Triangles t = sphere(3);
     for (Point3& p : t.points) p = {unit * p.x, unit * p.y, unit * p.z};
-    Placed scaled(t);
+    RemeshedMesh scaled(t);
     remeshed(scaled, unit, unit * 0.012);
     CHECK(scaled.places.size() == ball.places.size());
     CHECK(scaled.mean_length() == unit * ball.mean_length());
   }
   // A plane, with a triangle whose corners are on one line.
-  Placed flat({.points = {{0, 0, 0}, {8, 0, -8}, {4, 0, -4}, {4, -3, -1}, {4, 3, -7}},
-               .corners = {{0, 1, 3}, {1, 0, 2}, {0, 4, 2}, {4, 1, 2}}});
-  Placed plain = flat;
+  RemeshedMesh flat({.points = {{0, 0, 0}, {8, 0, -8}, {4, 0, -4}, {4, -3, -1}, {4, 3, -7}},
+                     .corners = {{0, 1, 3}, {1, 0, 2}, {0, 4, 2}, {4, 1, 2}}});
+  RemeshedMesh plain = flat;
   remeshed(flat, 3, 0.01);
   rbpa::remesh(plain.mesh, plain.places, {.length = 3});
   CHECK(flat.places == plain.places);
   // The faces of a cube are flat, and its edges sharp.
-  Placed cube(read_off(bundled_data() / "m3_cube_no_bottom.off")), even = cube;
+  RemeshedMesh cube(read_off(bundled_data() / "m3_cube_no_bottom.off")), even = cube;
   const double length = cube.mean_length();
   remeshed(cube, length, length / 1000);
   rbpa::remesh(even.mesh, even.places, {.length = length});
@@ -367,7 +359,7 @@ TEST_CASE("sharp edges and the boundary of a cube without bottom stay straight, 
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
   for (const double length : {0.07, 0.3}) {
-    Placed with(t);
+    RemeshedMesh with(t);
     for (Point3& p : with.places)
       p = {(p.x - low.x) / (high.x - low.x), (p.y - low.y) / (high.y - low.y), (p.z - low.z) / (high.z - low.z)};
     const Remeshing counts = rbpa::remesh(with.mesh, with.places, {.length = length, .measured = true});
@@ -389,7 +381,7 @@ TEST_CASE("sharp edges and the boundary of a cube without bottom stay straight, 
 }
 
 TEST_CASE("with keep_boundary, boundary vertices and edges are those of the input") {
-  const auto boundary_of = [](const Placed& with) {
+  const auto boundary_of = [](const RemeshedMesh& with) {
     std::set<std::array<Point3, 2>> all;
     for (const auto h : with.mesh.halfedges())
       if (with.mesh.is_boundary(h))
@@ -397,12 +389,12 @@ TEST_CASE("with keep_boundary, boundary vertices and edges are those of the inpu
     return all;
   };
   for (const double factor : {0.3, 3.0}) {
-    Placed with(sheet(10, 3));
+    RemeshedMesh with(sheet(10, 3));
     const auto before = boundary_of(with);
     CHECK(before.size() == 40);
     rbpa::remesh(with.mesh, with.places, {.length = factor, .keep_boundary = true});
     CHECK(boundary_of(with) == before);
-    Placed moved(sheet(10, 3));
+    RemeshedMesh moved(sheet(10, 3));
     rbpa::remesh(moved.mesh, moved.places, {.length = factor});
     CHECK(boundary_of(moved).size() == doctest::Approx(40 / factor).epsilon(0.2));
   }
@@ -410,11 +402,11 @@ TEST_CASE("with keep_boundary, boundary vertices and edges are those of the inpu
 
 TEST_CASE("no triangle of a sphere or of a plane sheet turns over, and a sheet stays in its plane with its area") {
   for (const double length : {0.05, 0.3, 0.9}) {
-    Placed ball(sphere(4));
+    RemeshedMesh ball(sphere(4));
     rbpa::remesh(ball.mesh, ball.places, {.length = length});
     for (const auto f : ball.mesh.faces()) CHECK(ball.volume_of(f) > 0);
     for (const Point3& p : ball.places) CHECK(std::hypot(p.x, p.y, p.z) == doctest::Approx(1).epsilon(0.01));
-    Placed flat(sheet(8, 5));
+    RemeshedMesh flat(sheet(8, 5));
     for (Point3& p : flat.places) p.z = 1;
     rbpa::remesh(flat.mesh, flat.places, {.length = 3 * length});
     double sum = 0;
@@ -430,7 +422,7 @@ TEST_CASE("no triangle of a sphere or of a plane sheet turns over, and a sheet s
 TEST_CASE("options that do not suit the mesh are refused, and so are polygons, double edges and wrong places") {
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
   const Triangles t = read_off(bundled_data() / "m3_spot.off");
-  Placed with(t);
+  RemeshedMesh with(t);
   const std::vector<Point3> places = with.places;
   for (const double length : {nan, infinity, -infinity, 0.0, -1.0, 1e-300, 1e-61, 1e-9, 1e-4, 100.0, 1e300}) {
     INFO(length);
@@ -467,7 +459,7 @@ TEST_CASE("options that do not suit the mesh are refused, and so are polygons, d
   const double least = std::stod(message.substr(before.size()));
   CHECK(rbpa::remesh(with.mesh, with.places, {.length = least, .rounds = 1, .most_faces = 30000}).left <= 30000);
 
-  Placed wrong(t);
+  RemeshedMesh wrong(t);
   wrong.places[17].y = nan;
   CHECK_THROWS_WITH_AS(rbpa::remesh(wrong.mesh, wrong.places, {.length = 0.1}),
                        "remesh: found coordinates of vertex 17 that are not finite, expected numbers",
@@ -480,14 +472,14 @@ TEST_CASE("options that do not suit the mesh are refused, and so are polygons, d
   wrong.places.pop_back();
   CHECK_THROWS_AS(rbpa::remesh(wrong.mesh, wrong.places, {.length = 0.1}), meshops::ContractViolation);
 
-  Placed few({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}, {0, 2, 3}}});
+  RemeshedMesh few({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}, {0, 2, 3}}});
   meshops::request_status(few.mesh);
-  Placed square({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {}});
+  RemeshedMesh square({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {}});
   square.mesh.add_face({Vertex(0), Vertex(1), Vertex(2), Vertex(3)});
   CHECK_THROWS_WITH_AS(rbpa::remesh(square.mesh, square.places, {.length = 0.5}), "remesh: face 0 is not a triangle",
                        meshops::ContractViolation);
   // Two triangles over each other become two edges between two vertices when a side collapses.
-  Placed pillow({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1}}, {{0, 1, 2}, {1, 0, 3}, {2, 1, 3}, {0, 2, 3}}});
+  RemeshedMesh pillow({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1}}, {{0, 1, 2}, {1, 0, 3}, {2, 1, 3}, {0, 2, 3}}});
   meshops::request_status(pillow.mesh);
   meshops::collapse(pillow.mesh, pillow.mesh.halfedge_handle(0), meshops::Keep::manifold);
   CHECK_THROWS_AS(rbpa::remesh(pillow.mesh, pillow.places, {.length = 0.5}), meshops::ContractViolation);
@@ -502,13 +494,13 @@ TEST_CASE("options that do not suit the mesh are refused, and so are polygons, d
 TEST_CASE("a remeshing that is cancelled changes nothing") {
   const Triangles t = sphere(5);
   for (const int most : {0, 2, 20}) {
-    Placed with(t);
+    RemeshedMesh with(t);
     const std::vector<Point3> places = with.places;
     int calls = 0;
     CHECK_THROWS_AS(rbpa::remesh(with.mesh, with.places, {.length = 0.02, .go_on = [&] { return ++calls <= most; }}),
                     rbpa::Cancelled);
     CHECK(with.places == places);
-    CHECK(meshops::soup_of(with.mesh).corners == meshops::soup_of(Placed(t).mesh).corners);
+    CHECK(meshops::soup_of(with.mesh).corners == meshops::soup_of(RemeshedMesh(t).mesh).corners);
   }
 }
 

@@ -17,10 +17,10 @@
 #include "meshops/core/contract.h"
 #include "meshops/core/live.h"
 #include "meshops/core/validate.h"
-#include "meshops/topology/build_mesh.h"
 #include "meshops/topology/report.h"
 #include "rbpa/base/error.h"
-#include "space/simplify/triangle_sets.h"
+#include "rbpa/space/simplify/distance/distance_of_mesh.h"
+#include "space/simplify/placed.h"
 #include "support/data_folder.h"
 
 using namespace rbpa_test;
@@ -32,37 +32,19 @@ TEST_SUITE_BEGIN("space");
 
 namespace {
 
-struct Placed {
-  explicit Placed(const Triangles& t) {
-    meshops::PolygonSoup soup;
-    soup.points = t.points.size();
-    for (const auto& corners : t.corners) soup.add_face(corners);
-    for (const std::uint32_t point : meshops::build_mesh(mesh, soup)) places.push_back(t.points[point]);
-  }
+struct SubdividedMesh : Placed {
+  explicit SubdividedMesh(const Triangles& t) : Placed(t, false) {}
   void subdivide(SubdivisionRule rule, unsigned times) {
     rbpa::subdivide(mesh, places, {.rule = rule, .times = times});
     CHECK(places.size() == mesh.n_vertices());
   }
-  /// Returns the corners of all triangles, each from the least on.
-  std::set<std::array<Point3, 3>> surface() const {
-    std::set<std::array<Point3, 3>> all;
-    for (const auto f : mesh.faces()) {
-      std::array<Point3, 3> corners;
-      std::size_t k = 0;
-      for (const Vertex v : mesh.fv_range(f)) corners[k++] = places[static_cast<std::size_t>(v.idx())];
-      std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-      all.insert(corners);
-    }
-    return all;
-  }
+  std::vector<std::array<Point3, 3>> surface() const { return sorted_triangles(places, rbpa::space::corners_of(mesh)); }
   std::set<Point3> boundary() const {
     std::set<Point3> all;
     for (const Vertex v : mesh.vertices())
       if (mesh.is_boundary(v)) all.insert(places[static_cast<std::size_t>(v.idx())]);
     return all;
   }
-  OpenMesh::PolyConnectivity mesh;
-  std::vector<Point3> places;
 };
 
 }  // namespace
@@ -83,7 +65,7 @@ TEST_CASE("subdivision multiplies triangles, keeps the topology, and does not de
     for (const auto& [rule, factor] : {std::pair(SubdivisionRule::loop, 4U), {SubdivisionRule::sqrt3, 3U}}) {
       const std::string title = std::string(row.name) + " " + std::to_string(factor);
       CAPTURE(title);
-      Placed one(row.given), other(shuffled(row.given, random)), twice(row.given);
+      SubdividedMesh one(row.given), other(shuffled(row.given, random)), twice(row.given);
       const auto before = meshops::report(one.mesh);
       const std::size_t faces = one.mesh.n_faces();
       one.subdivide(rule, 2);
@@ -104,7 +86,7 @@ TEST_CASE("boundary curves depend on themselves alone, and stay in place by the 
   Triangles flat = sheet(6, 2), bent = flat;
   for (Point3& p : bent.points)
     if (p.x > 0 && p.y > 0 && p.x < 6 && p.y < 6) p.z += 3;
-  Placed one(flat), other(bent), fixed(bent);
+  SubdividedMesh one(flat), other(bent), fixed(bent);
   const auto given = fixed.boundary();
   one.subdivide(SubdivisionRule::loop, 3);
   other.subdivide(SubdivisionRule::loop, 3);
@@ -119,7 +101,7 @@ TEST_CASE("a subdivided octahedron converges to a surface near a sphere, of edge
   for (const SubdivisionRule rule : {SubdivisionRule::loop, SubdivisionRule::sqrt3}) {
     double last_area = 0, last_change = 10;
     for (unsigned times = 1; times <= 6; ++times) {
-      Placed ball(sphere(1));
+      SubdividedMesh ball(sphere(1));
       ball.subdivide(rule, times);
       double area = 0, least = 1, greatest = 0;
       for (const auto& [a, b, c] : ball.surface()) {
@@ -153,12 +135,12 @@ TEST_CASE("a mesh with points gets new points; meshes and options that do not su
   CHECK(mesh.n_faces() == 32);
   CHECK(mesh.point(Vertex(6)).norm() == doctest::Approx(std::sqrt(0.375 * 0.375 * 2)));
 
-  Placed with(t);
+  SubdividedMesh with(t);
   const auto places = with.places;
   CHECK_THROWS_WITH_AS(rbpa::subdivide(with.mesh, with.places, {.times = 30}),
                        "subdivide: found 30 times, expected at most 10, as the limit is 20000000 triangles",
                        rbpa::InvalidInput);
-  Placed large(sphere(5));
+  SubdividedMesh large(sphere(5));
   CHECK_THROWS_AS(rbpa::subdivide(large.mesh, large.places, {.go_on = [] { return false; }}), rbpa::Cancelled);
   CHECK(large.mesh.n_faces() == 8192);
   with.places[2].x = std::numeric_limits<double>::quiet_NaN();
@@ -167,10 +149,10 @@ TEST_CASE("a mesh with points gets new points; meshes and options that do not su
   CHECK_THROWS_AS(rbpa::subdivide(with.mesh, with.places, {}), meshops::ContractViolation);
   with.places = places;
   CHECK(with.mesh.n_faces() == 8);
-  Placed square({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {}});
+  SubdividedMesh square({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {}});
   square.mesh.add_face({Vertex(0), Vertex(1), Vertex(2), Vertex(3)});
   CHECK_THROWS_AS(rbpa::subdivide(square.mesh, square.places, {}), meshops::ContractViolation);
-  Placed none(Triangles{{{1, 2, 3}}, {}});
+  SubdividedMesh none(Triangles{{{1, 2, 3}}, {}});
   none.subdivide(SubdivisionRule::loop, 9);
   CHECK(none.places == std::vector<Point3>{{1, 2, 3}});
 }
