@@ -71,9 +71,8 @@ def balls(
     if isinstance(centers, Iterator) or (isinstance(centers, (list, tuple)) and centers and molecules.are_atoms(centers[0])):
         frames_of: list[Floats] = []
         for frame in centers:
-            atoms = frame if atoms is None and molecules.are_atoms(frame) else atoms
-            if radii is None or isinstance(radii, str):
-                radii = molecules.radii(frame, radii)  # of the first frame
+            if atoms is None and molecules.are_atoms(frame):
+                atoms = frame
             frames_of.append(np.array(molecules.positions_of(frame), float))
         if not frames_of:
             raise InvalidInput("centers: found no frame, expected at least one")
@@ -84,7 +83,7 @@ def balls(
     else:
         array = as_points(array, "centers", 3)
     if radii is None or isinstance(radii, str):
-        radii = molecules.radii(centers, radii)
+        radii = molecules.radii(centers if atoms is None else atoms, radii)  # of frames, the first
     index = index_of(centers)
     sizes = as_numbers(aligned(radii, index, "radii"), "radii", "numbers of at least 0, one for each center")
     if sizes.ndim == 0 and atoms is not None:

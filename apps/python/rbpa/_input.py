@@ -93,6 +93,12 @@ def in_python(text: str, ways: Mapping[str, str]) -> str:
     return text
 
 
+def file_error(error: InvalidInput, path: Union[str, os.PathLike[str]], ways: Mapping[str, str]) -> Exception:
+    """Returns the exception for a file that the program refuses: FileNotFoundError if there is none, and otherwise
+    InvalidInput with the message `in_python`."""
+    return InvalidInput(in_python(str(error), ways)) if os.path.exists(path) else FileNotFoundError(str(error))
+
+
 def index_of(points: Any) -> Any:
     """Returns the index of a pandas object; None for anything else."""
     index = getattr(points, "index", None)

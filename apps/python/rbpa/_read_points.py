@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from rbpa import _core
 from rbpa._core import InvalidInput
-from rbpa._input import Floats, as_number, as_numbers, in_python, shown
+from rbpa._input import Floats, as_number, as_numbers, file_error, in_python, shown
 
 # Options that messages of the program name, each with the argument in Python.
 _WAYS = {
@@ -103,10 +103,8 @@ def read_points(
     try:
         read = _core.read_points(os.fsencode(path), space, named, where, columns, format, skip_invalid, vertices, box, length)
     except InvalidInput as error:
-        if not os.path.exists(path):
-            raise FileNotFoundError(str(error)) from None
         # Fields are found by the same code as --where.
-        raise InvalidInput(in_python(str(error), _WAYS if where is not None else {**_WAYS, "--where": "fields"})) from None
+        raise file_error(error, path, _WAYS if where is not None else {**_WAYS, "--where": "fields"}) from None
     read["warnings"] = [in_python(text, _WAYS) for text in read["warnings"]]
     read["fields"] = dict(zip(wanted, map(_field, read["fields"])))
     return PointFile(read)

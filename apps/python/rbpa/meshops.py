@@ -32,7 +32,7 @@ import numpy.typing as npt
 
 from rbpa import _core
 from rbpa._core import ComponentReport, Defect, Delta, InvalidInput, RepairStep, Report
-from rbpa._input import Floats, Indices, Integers, Progress, aligned, as_count, as_limits, as_number, as_numbers, as_points, in_python, index_of, shown
+from rbpa._input import Floats, Indices, Integers, Progress, aligned, as_count, as_limits, as_number, as_numbers, as_points, file_error, index_of, shown
 from rbpa._result import brief
 
 __all__ = ["ComponentReport", "Decimation", "Defect", "Delta", "Mesh", "MeshFile", "ProgressiveMesh", "Remeshing", "Repair", "RepairStep", "Report", "find_defects", "read", "repair", "report"]
@@ -320,9 +320,7 @@ def read(path: Union[str, os.PathLike[str]], *, format: Optional[str] = None) ->
     try:
         points, corners, begin, warnings = _core.read_mesh(os.fsencode(path), format)
     except InvalidInput as error:
-        if not os.path.exists(path):
-            raise FileNotFoundError(str(error)) from None
-        raise InvalidInput(in_python(str(error), {"--format": "format"})) from None
+        raise file_error(error, path, {"--format": "format"}) from None
     return MeshFile(points, _cycles(corners, begin, True), warnings)
 
 

@@ -22,7 +22,7 @@ import numpy.typing as npt
 
 from rbpa import _core
 from rbpa._core import InvalidInput
-from rbpa._input import Floats, as_number, in_python, shown
+from rbpa._input import Floats, as_number, file_error, in_python, shown
 from rbpa._read_points import _field
 
 __all__ = ["Atoms", "positions_of", "radii", "read"]
@@ -83,9 +83,7 @@ def read(
     try:
         made = _core.read_atoms(os.fsencode(path), format, numbers, waters, ligands, hydrogens, alternates, where, radius)
     except InvalidInput as error:
-        if not os.path.exists(path):
-            raise FileNotFoundError(str(error)) from None
-        raise InvalidInput(in_python(str(error), _WAYS)) from None
+        raise file_error(error, path, _WAYS) from None
     return Atoms(made, () if is_one else (len(made["frames"]),))
 
 
