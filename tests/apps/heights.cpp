@@ -118,7 +118,7 @@ TEST_SUITE("heights") {
     CHECK(folder.content("i.csv").find(",5\n") != std::string::npos);
   }
 
-  TEST_CASE("mesh and grid take z from a third column, and say which columns may have it") {
+  TEST_CASE("mesh and grid take z from a third column, and list the columns that may have it") {
     const Folder folder("p.csv", "x,y,Nr,H,name,NN\n0,0,1,5,a,7\n4,0,2,6,b,8\n0,4,3,7,c,9\n");
     folder.file("n.txt", "0 0 1 5\n4 0 2 6\n0 4 3 7\n");
     const std::string start =

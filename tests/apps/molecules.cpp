@@ -293,7 +293,7 @@ TEST_SUITE("molecules") {
     CHECK(!of_pdb("REMARK").sides);
   }
 
-  TEST_CASE("the symmetry of a cell is told with --box auto, and a last line that is cut within z is refused") {
+  TEST_CASE("the symmetry of a cell gives a warning with --box auto, and a last line that is cut within z is refused") {
     const std::string atom = "ATOM      1  CA  RES A   1       4.000   0.000   0.000";
     const std::string cell = "CRYST1   55.865   56.886   80.993  90.00  90.00  90.00 ";
     for (const std::string verb : {"balls", "solid --alpha 2 -o t.npy"})
