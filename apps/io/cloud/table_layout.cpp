@@ -350,6 +350,16 @@ TableLayout lay_out_space(const TableBeginning& table, TableKind kind, const Clo
   return layout;
 }
 
+/// Refuses names of columns that are too long to be names; each copy of such a text would delay the end of a run after a
+/// signal.
+void refuse_long_names(const TableBeginning& table) {
+  constexpr std::size_t most = 65536;
+  for (const std::string_view name : table.fields)
+    if (name.size() > most)
+      bad_input(here(table), "a column name of " + counted(name.size(), "character"),
+                "names of at most " + counted(most, "character"));
+}
+
 }  // namespace
 
 void lay_out_by_names(const std::vector<std::string_view>& names, bool in_space, TableLayout& layout) {
@@ -385,6 +395,7 @@ TableLayout lay_out_table(const TableBeginning& table, TableKind kind, const Clo
                           std::vector<std::string>& warnings) {
   const TableLayout layout =
       request.in_space ? lay_out_space(table, kind, request, warnings) : lay_out_plane(table, kind, request, warnings);
+  if (layout.header) refuse_long_names(table);
   if (layout.wkt) return layout;
   const TableSample sample(table);
   doubt_coordinates(table, layout, request, sample, warnings);
