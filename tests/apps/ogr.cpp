@@ -410,3 +410,12 @@ TEST_SUITE("ogr") {
     CHECK(open(folder.path("g.gpkg"))->GetLayer(0)->GetLayerDefn()->GetFieldIndex("v_mean") > 0);
   }
 }
+
+TEST_CASE("GDAL's library is loaded for its formats only: a program that is linked to it starts ten times slower") {
+  const Folder folder;
+  for (const char* program : {RBPA_PROGRAM, MESHTOPO_PROGRAM}) {
+    const std::string libraries = folder.run("env", "LD_TRACE_LOADED_OBJECTS=1 " + std::string(program), 0).out;
+    CHECK(contains(libraries, "libc.so"));
+    CHECK(!contains(libraries, "gdal"));
+  }
+}

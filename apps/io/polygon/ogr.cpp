@@ -1,14 +1,16 @@
 #include "io/polygon/ogr.h"
 #include "io/number.h"
 
-#include <gdal_priv.h>
-#include <ogr_spatialref.h>
-#include <ogrsf_frmts.h>
+#include <cpl_conv.h>
+#include <cpl_error.h>
+#include <cpl_vsi.h>
+#include <dlfcn.h>
+#include <gdal.h>
+#include <ogr_api.h>
+#include <ogr_srs_api.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <memory>
 #include <string>
@@ -23,32 +25,72 @@
 namespace rbpa::app {
 namespace {
 
-/// Registers GDAL's drivers, and keeps GDAL from printing while this object exists.
-class Gdal {
- public:
-  Gdal() {
-    static_cast<void>(drivers_are_known());
-    CPLPushErrorHandler(CPLQuietErrorHandler);
-    CPLErrorReset();
+/// Returns the function of GDAL of that name. Loads GDAL's library at the first call, as it brings a hundred other
+/// libraries, and to load them takes longer than most runs of a program. Throws WrongUsage if there is no such library.
+void* gdal_function(const char* name) {
+  static void* const library = dlopen(RBPA_GDAL_LIBRARY, RTLD_NOW | RTLD_LOCAL);
+  void* const function = library == nullptr ? nullptr : dlsym(library, name);
+  if (function == nullptr) {
+    const char* const why = dlerror();  // null if this is not the first call
+    throw WrongUsage("found a format of GDAL, expected its library: " +
+                     std::string(why == nullptr ? RBPA_GDAL_LIBRARY : why));
   }
-  ~Gdal() { CPLPopErrorHandler(); }
-  Gdal(const Gdal&) = delete;
-  Gdal& operator=(const Gdal&) = delete;
+  return function;
+}
+
+/// A function of GDAL's C interface, with its type.
+#define GDAL(name)                                                                          \
+  ([] {                                                                                     \
+    static const auto function = reinterpret_cast<decltype(&::name)>(gdal_function(#name)); \
+    return function;                                                                        \
+  }())
+
+/// Registers GDAL's drivers, and keeps GDAL from printing while this object exists.
+class GdalErrors {
+ public:
+  GdalErrors() {
+    static const bool drivers_are_known = (GDAL(GDALAllRegister)(), true);
+    static_cast<void>(drivers_are_known);
+    GDAL(CPLPushErrorHandler)(GDAL(CPLQuietErrorHandler));
+    GDAL(CPLErrorReset)();
+  }
+  ~GdalErrors() { GDAL(CPLPopErrorHandler)(); }
+  GdalErrors(const GdalErrors&) = delete;
+  GdalErrors& operator=(const GdalErrors&) = delete;
 
   /// Returns whether a call of GDAL has failed since this object was made.
-  bool has_failed() const { return CPLGetLastErrorType() >= CE_Failure; }
+  bool have_come() const { return GDAL(CPLGetLastErrorType)() >= CE_Failure; }
   /// Returns GDAL's message about the last failure.
   std::string reason() const {
-    const std::string text = CPLGetLastErrorMsg();
+    const std::string text = GDAL(CPLGetLastErrorMsg)();
     return text.empty() ? "nothing that GDAL knows" : text;
   }
-
- private:
-  static bool drivers_are_known() {
-    static const bool known = (GDALAllRegister(), true);
-    return known;
-  }
 };
+
+// Objects of GDAL that belong to the program.
+struct Free {
+  using pointer = void*;
+};
+struct FreeDataset : Free {
+  void operator()(GDALDatasetH dataset) const { GDAL(GDALClose)(dataset); }
+};
+struct FreeFeature : Free {
+  void operator()(OGRFeatureH feature) const { GDAL(OGR_F_Destroy)(feature); }
+};
+struct FreeField : Free {
+  void operator()(OGRFieldDefnH field) const { GDAL(OGR_Fld_Destroy)(field); }
+};
+struct FreeGeometry : Free {
+  void operator()(OGRGeometryH geometry) const { GDAL(OGR_G_DestroyGeometry)(geometry); }
+};
+struct FreeSystem : Free {
+  void operator()(OGRSpatialReferenceH system) const { GDAL(OSRDestroySpatialReference)(system); }
+};
+using Dataset = std::unique_ptr<void, FreeDataset>;
+using Feature = std::unique_ptr<void, FreeFeature>;
+using Field = std::unique_ptr<void, FreeField>;
+using Geometry = std::unique_ptr<void, FreeGeometry>;
+using System = std::unique_ptr<void, FreeSystem>;
 
 class OgrReader {
  public:
@@ -56,21 +98,21 @@ class OgrReader {
 
   PointFile read(const std::optional<std::string>& layer_name) {
     constexpr unsigned how = GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR;
-    const GDALDatasetUniquePtr dataset(GDALDataset::Open(source_.c_str(), how));
-    if (!dataset) throw BadInput(source_ + ": GDAL cannot read it: " + shown(gdal_.reason()));
-    OGRLayer& layer = find_layer(*dataset, layer_name);
+    const Dataset dataset(GDAL(GDALOpenEx)(source_.c_str(), how, nullptr, nullptr, nullptr));
+    if (!dataset) throw BadInput(source_ + ": GDAL cannot read it: " + shown(errors_.reason()));
+    const OGRLayerH layer = find_layer(dataset.get(), layer_name);
     take_crs(layer);
-    layer.ResetReading();
-    while (const OGRFeatureUniquePtr feature{layer.GetNextFeature()}) {
+    GDAL(OGR_L_ResetReading)(layer);
+    while (const Feature feature{GDAL(OGR_L_GetNextFeature)(layer)}) {
       if (features_++ % 1024 == 0) stop_if_interrupted();
-      const OGRGeometry* geometry = feature->GetGeometryRef();
-      geometry == nullptr ? static_cast<void>(++without_geometry_) : take(*geometry);
+      const OGRGeometryH geometry = GDAL(OGR_F_GetGeometryRef)(feature.get());
+      geometry == nullptr ? static_cast<void>(++without_geometry_) : take(geometry);
     }
     // Refuse a file that can be read in part only.
-    if (gdal_.has_failed())
-      throw BadInput(source_ + ": GDAL cannot read all of it: " + shown(gdal_.reason()) +
+    if (errors_.have_come())
+      throw BadInput(source_ + ": GDAL cannot read all of it: " + shown(errors_.reason()) +
                      " (ogr2ogr -skipfailures copies what it can read)");
-    const GIntBig announced = layer.GetFeatureCount(FALSE);  // below 0: not known without counting
+    const GIntBig announced = GDAL(OGR_L_GetFeatureCount)(layer, FALSE);  // below 0: not known without counting
     if (announced >= 0 && static_cast<std::size_t>(announced) != features_)
       bad_input(source_, counted(features_, "feature"), std::to_string(announced) + " as the file says");
     if (without_geometry_ > 0) file_.warnings.push_back(counted(without_geometry_, "feature") + " without a geometry");
@@ -78,74 +120,83 @@ class OgrReader {
   }
 
  private:
-  OGRLayer& find_layer(GDALDataset& dataset, const std::optional<std::string>& name) const {
+  OGRLayerH find_layer(GDALDatasetH dataset, const std::optional<std::string>& name) const {
     std::string names;
-    for (OGRLayer* layer : dataset.GetLayers()) {
-      if (name ? *name == layer->GetName() : dataset.GetLayerCount() == 1) return *layer;
-      names += (names.empty() ? "" : ", ") + std::string(layer->GetName());
+    const int count = GDAL(GDALDatasetGetLayerCount)(dataset);
+    for (int i = 0; i < count; ++i) {
+      const OGRLayerH layer = GDAL(GDALDatasetGetLayer)(dataset, i);
+      const std::string its_name = GDAL(OGR_L_GetName)(layer);
+      if (name ? *name == its_name : count == 1) return layer;
+      names += (names.empty() ? "" : ", ") + its_name;
     }
     bad_input(source_, names.empty() ? "no layer" : "the layers " + names,
               name ? "one called " + in_quotes(*name) : "--layer with the name of one");
   }
 
-  void take_crs(const OGRLayer& layer) {
-    const OGRSpatialReference* const whole = const_cast<OGRLayer&>(layer).GetSpatialRef();  // does not change the layer
-    if (whole == nullptr || whole->IsEmpty()) return;
-    OGRSpatialReference system(*whole);
-    if (system.IsCompound() != 0) system.StripVertical();
-    const char* authority = system.GetAuthorityName(nullptr);
-    const char* code = system.GetAuthorityCode(nullptr);
-    file_.degrees = system.IsGeographic() != 0;
-    if (authority != nullptr && code != nullptr && system.IsVertical() == 0)
+  void take_crs(OGRLayerH layer) {
+    const OGRSpatialReferenceH whole = GDAL(OGR_L_GetSpatialRef)(layer);
+    const char* const name = whole == nullptr ? nullptr : GDAL(OSRGetName)(whole);
+    if (name == nullptr) return;  // none, or an empty one
+    const System system(GDAL(OSRClone)(whole));
+    if (GDAL(OSRIsCompound)(system.get()) != 0) GDAL(OSRStripVertical)(system.get());
+    const char* authority = GDAL(OSRGetAuthorityName)(system.get(), nullptr);
+    const char* code = GDAL(OSRGetAuthorityCode)(system.get(), nullptr);
+    file_.degrees = GDAL(OSRIsGeographic)(system.get()) != 0;
+    if (authority != nullptr && code != nullptr && GDAL(OSRIsVertical)(system.get()) == 0)
       file_.crs = Crs{.authority = authority, .code = code, .degrees = file_.degrees};
     else
-      file_.warnings.push_back("the system of coordinates, " + in_quotes(whole->GetName()) +
+      file_.warnings.push_back("the system of coordinates, " + in_quotes(name) +
                                ", has no code of the plane and is not carried over (--crs EPSG:CODE names it)");
   }
 
-  void take(const OGRPoint& p) {
-    if (p.IsEmpty()) return;
-    const Point point{p.getX(), p.getY()};
+  /// Takes point i of a point or of a line.
+  void take_point(OGRGeometryH geometry, int i) {
+    const Point point{GDAL(OGR_G_GetX)(geometry, i), GDAL(OGR_G_GetY)(geometry, i)};
     if (!is_finite(point))
       bad_input(source_ + ": feature " + std::to_string(features_),
                 "the point (" + text_of(point.x) + ", " + text_of(point.y) + ")", "finite coordinates");
-    const bool has_z = p.Is3D() != 0;
+    const bool has_z = GDAL(OGR_G_Is3D)(geometry) != 0;
+    const double z = has_z ? GDAL(OGR_G_GetZ)(geometry, i) : std::numeric_limits<double>::quiet_NaN();
     file_.points.push_back(point);
-    file_.z.push_back(has_z ? p.getZ() : std::numeric_limits<double>::quiet_NaN());
-    if (has_z) file_.heights.take(p.getZ());
+    file_.z.push_back(z);
+    if (has_z) file_.heights.take(z);
   }
 
-  void take(const OGRSimpleCurve& line, bool ring) {
-    int count = line.getNumPoints();
-    const bool closes = count > 1 && line.getX(0) == line.getX(count - 1) && line.getY(0) == line.getY(count - 1);
+  void take_line(OGRGeometryH line, bool ring) {
+    const auto x = GDAL(OGR_G_GetX);
+    const auto y = GDAL(OGR_G_GetY);
+    int count = GDAL(OGR_G_GetPointCount)(line);
+    const bool closes = count > 1 && x(line, 0) == x(line, count - 1) && y(line, 0) == y(line, count - 1);
     if (ring && closes) --count;
     const std::size_t first = file_.points.size();
-    for (int i = 0; i < count; ++i) {
-      OGRPoint point;
-      line.getPoint(i, &point);
-      take(point);
-    }
+    for (int i = 0; i < count; ++i) take_point(line, i);
     file_.lines.push_back({first, file_.points.size(), ring});
   }
 
-  void take(const OGRGeometry& geometry) {
-    const OGRwkbGeometryType type = wkbFlatten(geometry.getGeometryType());
-    if (type == wkbPoint) return take(*geometry.toPoint());
-    if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection) != 0) {
-      for (const OGRGeometry* part : *geometry.toGeometryCollection()) take(*part);
+  void take(OGRGeometryH geometry) {
+    const OGRwkbGeometryType type = GDAL(OGR_GT_Flatten)(GDAL(OGR_G_GetGeometryType)(geometry));
+    if (type == wkbPoint) {
+      if (GDAL(OGR_G_IsEmpty)(geometry) == 0) take_point(geometry, 0);
       return;
     }
+    const int parts = GDAL(OGR_G_GetGeometryCount)(geometry);
+    const auto is_a = [&](OGRwkbGeometryType kind) { return GDAL(OGR_GT_IsSubClassOf)(type, kind) != 0; };
+    if (is_a(wkbGeometryCollection)) {
+      for (int i = 0; i < parts; ++i) take(GDAL(OGR_G_GetGeometryRef)(geometry, i));
+      return;
+    }
+    const char* const name = GDAL(OGR_G_GetGeometryName)(geometry);
     if (!vertices_)
-      bad_input(source_ + ": feature " + std::to_string(features_), geometry.getGeometryName(),
+      bad_input(source_ + ": feature " + std::to_string(features_), name,
                 "POINT or MULTIPOINT (--vertices takes the vertices of lines and polygons)");
-    if (OGR_GT_IsSubClassOf(type, wkbLineString)) return take(*geometry.toSimpleCurve(), false);
-    if (OGR_GT_IsSubClassOf(type, wkbPolygon) == 0)
-      bad_input(source_ + ": feature " + std::to_string(features_), geometry.getGeometryName(),
+    if (is_a(wkbLineString)) return take_line(geometry, false);
+    if (!is_a(wkbPolygon))
+      bad_input(source_ + ": feature " + std::to_string(features_), name,
                 "points, lines or polygons (ogr2ogr -nlt CONVERT_TO_LINEAR makes them)");
-    for (const OGRLinearRing* ring : *geometry.toPolygon()) take(*ring, true);
+    for (int i = 0; i < parts; ++i) take_line(GDAL(OGR_G_GetGeometryRef)(geometry, i), true);
   }
 
-  Gdal gdal_;
+  GdalErrors errors_;
   const std::string& source_;
   bool vertices_;
   PointFile file_ = {};
@@ -173,66 +224,69 @@ class OgrWriter {
   /// Without a system, the layers of a GeoPackage are in an undefined one: geographic if coordinates are `degrees`, and
   /// otherwise Cartesian.
   OgrWriter(Format format, const std::optional<Crs>& crs, bool degrees) : format_(format), path_(path_of(format)) {
-    GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(driver_of(format));
+    const GDALDriverH driver = GDAL(GDALGetDriverByName)(driver_of(format));
     if (driver == nullptr) fail(std::string("this GDAL has no driver ") + driver_of(format));
-    dataset_.reset(driver->Create(path_.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
-    if (!dataset_) fail(gdal_.reason());
+    dataset_.reset(GDAL(GDALCreate)(driver, path_.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+    if (!dataset_) fail(errors_.reason());
     // Use one transaction for all features: a database would otherwise make one for each.
-    in_transaction_ = dataset_->TestCapability(ODsCTransactions) != 0 && dataset_->StartTransaction() == OGRERR_NONE;
+    in_transaction_ = GDAL(GDALDatasetTestCapability)(dataset_.get(), ODsCTransactions) != 0 &&
+                      GDAL(GDALDatasetStartTransaction)(dataset_.get(), FALSE) == OGRERR_NONE;
     const bool is_cartesian = !crs && !degrees && format == Format::gpkg;
-    if (is_cartesian) system_.SetLocalCS("Undefined Cartesian SRS");  // GDAL writes its number in the standard, -1
-    has_system_ = crs.has_value() || is_cartesian;
+    if (!crs && !is_cartesian) return;
+    system_.reset(GDAL(OSRNewSpatialReference)(nullptr));
+    if (is_cartesian)  // GDAL writes its number in the standard, -1
+      GDAL(OSRSetLocalCS)(system_.get(), "Undefined Cartesian SRS");
     if (!crs) return;
-    system_.SetAxisMappingStrategy(
-        OAMS_TRADITIONAL_GIS_ORDER);  // x is the longitude, also where EPSG orders latitude first
-    if (system_.SetFromUserInput(crs->text().c_str()) != OGRERR_NONE)
-      fail("--crs " + crs->text() + ": " + gdal_.reason());
+    // x is the longitude, also where EPSG orders latitude first.
+    GDAL(OSRSetAxisMappingStrategy)(system_.get(), OAMS_TRADITIONAL_GIS_ORDER);
+    if (GDAL(OSRSetFromUserInput)(system_.get(), crs->text().c_str()) != OGRERR_NONE)
+      fail("--crs " + crs->text() + ": " + errors_.reason());
   }
   ~OgrWriter() {
     dataset_.reset();
-    for (const std::string& ending : ogr_endings(format_)) VSIUnlink(with(ending).c_str());
+    for (const std::string& ending : ogr_endings(format_)) GDAL(VSIUnlink)(with(ending).c_str());
   }
   OgrWriter(const OgrWriter&) = delete;
   OgrWriter& operator=(const OgrWriter&) = delete;
 
   void write_polygons(const Shape& shape) {
-    OGRLayer& layer = create_layer("polygons", wkbPolygon);
+    const OGRLayerH layer = create_layer("polygons", wkbPolygon);
     for (const char* name : {"number", "holes", "points"}) add_field(layer, name, OFTInteger64);
     for (const char* name : {"area", "perimeter"}) add_field(layer, name, OFTReal);
     add_attributes(layer, shape.summaries);
     const std::vector<std::size_t> points = points_in_polygons(shape);
     for (std::size_t i = 0; i < shape.polygons.size(); ++i) {
       const Polygon& polygon = shape.polygons[i];
-      OGRFeature feature(layer.GetLayerDefn());
-      set(feature, "number", i + 1);
-      set(feature, "holes", polygon.holes.size());
-      set(feature, "points", points[i]);
-      set(feature, "area", polygon.area);
-      set(feature, "perimeter", polygon.perimeter);
-      set(feature, shape.summaries, i);
-      const OGRPolygon geometry = polygon_of(polygon, shape.points);
-      add(layer, feature, geometry, i);
+      const Feature feature(GDAL(OGR_F_Create)(GDAL(OGR_L_GetLayerDefn)(layer)));
+      set(feature.get(), "number", i + 1);
+      set(feature.get(), "holes", polygon.holes.size());
+      set(feature.get(), "points", points[i]);
+      set(feature.get(), "area", polygon.area);
+      set(feature.get(), "perimeter", polygon.perimeter);
+      set(feature.get(), shape.summaries, i);
+      add(layer, feature.get(), polygon_of(polygon, shape.points), i);
     }
   }
 
   void write_isolated(const Shape& shape) {
-    OGRLayer& layer = create_layer("isolated", wkbPoint);
+    const OGRLayerH layer = create_layer("isolated", wkbPoint);
     add_field(layer, "index", OFTInteger64);
     const std::vector<Attribute> fields =
-        attributes_of(shape.fields, {"index", layer.GetFIDColumn(), layer.GetGeometryColumn()});
+        attributes_of(shape.fields, {"index", GDAL(OGR_L_GetFIDColumn)(layer), GDAL(OGR_L_GetGeometryColumn)(layer)});
     add_attributes(layer, fields);
     for (std::size_t i = 0; i < shape.polygon_of.size(); ++i) {
       if (shape.polygon_of[i]) continue;
-      OGRFeature feature(layer.GetLayerDefn());
-      set(feature, "index", std::size_t{renumbered(static_cast<std::uint32_t>(i), shape.index)});
-      set(feature, fields, i);
-      const OGRPoint geometry(shape.points[i].x, shape.points[i].y);
-      add(layer, feature, geometry, i);
+      const Feature feature(GDAL(OGR_F_Create)(GDAL(OGR_L_GetLayerDefn)(layer)));
+      set(feature.get(), "index", std::size_t{renumbered(static_cast<std::uint32_t>(i), shape.index)});
+      set(feature.get(), fields, i);
+      Geometry geometry(GDAL(OGR_G_CreateGeometry)(wkbPoint));
+      GDAL(OGR_G_AddPoint_2D)(geometry.get(), shape.points[i].x, shape.points[i].y);
+      add(layer, feature.get(), std::move(geometry), i);
     }
   }
 
   void write_groups(const NamedShapes& groups) {
-    OGRLayer& layer = create_layer("groups", wkbMultiPolygon);
+    const OGRLayerH layer = create_layer("groups", wkbMultiPolygon);
     // Use real numbers: names that are numbers need not be integers.
     add_field(layer, "group", groups.are_numbers ? OFTReal : OFTString);
     for (const char* name : {"points", "polygons"}) add_field(layer, name, OFTInteger64);
@@ -242,59 +296,56 @@ class OgrWriter {
     const std::vector<std::string_view> problems = problems_of(groups);
     for (std::size_t g = 0; g < groups.names.size(); ++g) {
       const std::uint64_t first = groups.shapes.polygon_begin[g], last = groups.shapes.polygon_begin[g + 1];
-      OGRFeature feature(layer.GetLayerDefn());
-      feature.SetField("group", groups.names[g].c_str());  // GDAL converts it to the type of the field
-      set(feature, "points", groups.sizes[g]);
-      set(feature, "polygons", last - first);
-      set(feature, "alpha", groups.shapes.alphas[g]);
-      set(feature, "area", groups.shapes.totals[g].area);
-      set(feature, "perimeter", groups.shapes.totals[g].perimeter);
-      set(feature, groups.attributes, g);
-      if (!problems[g].empty()) feature.SetField("problem", std::string(problems[g]).c_str());
-      OGRMultiPolygon geometry;
-      for (std::uint64_t i = first; i < last; ++i) {
-        const OGRPolygon polygon = polygon_of(groups.shapes.polygons[i], groups.points);
-        geometry.addGeometry(&polygon);
-      }
-      add(layer, feature, geometry, g);
+      const Feature feature(GDAL(OGR_F_Create)(GDAL(OGR_L_GetLayerDefn)(layer)));
+      set(feature.get(), "group", groups.names[g]);
+      set(feature.get(), "points", groups.sizes[g]);
+      set(feature.get(), "polygons", last - first);
+      set(feature.get(), "alpha", groups.shapes.alphas[g]);
+      set(feature.get(), "area", groups.shapes.totals[g].area);
+      set(feature.get(), "perimeter", groups.shapes.totals[g].perimeter);
+      set(feature.get(), groups.attributes, g);
+      if (!problems[g].empty()) set(feature.get(), "problem", std::string(problems[g]));
+      Geometry geometry(GDAL(OGR_G_CreateGeometry)(wkbMultiPolygon));
+      for (std::uint64_t i = first; i < last; ++i)
+        add_part(geometry, polygon_of(groups.shapes.polygons[i], groups.points));
+      add(layer, feature.get(), std::move(geometry), g);
     }
   }
 
   void write_triangles(const TriangleTable& triangles) {
-    OGRLayer& layer = create_layer("triangles", triangles.has_z ? wkbPolygon25D : wkbPolygon);
+    const OGRLayerH layer = create_layer("triangles", triangles.has_z ? wkbPolygon25D : wkbPolygon);
     add_field(layer, "number", OFTInteger64);
     for (const TriangleAttribute& attribute : triangles.attributes)
       add_field(layer, attribute.name.c_str(), attribute.text ? OFTString : OFTReal);
     for (std::size_t i = 0; i < triangles.count; ++i) {
-      OGRFeature feature(layer.GetLayerDefn());
-      set(feature, "number", i + 1);
+      const Feature feature(GDAL(OGR_F_Create)(GDAL(OGR_L_GetLayerDefn)(layer)));
+      set(feature.get(), "number", i + 1);
       for (std::size_t k = 0; k < triangles.attributes.size(); ++k) {
         const TriangleAttribute& attribute = triangles.attributes[k];
         const int place = static_cast<int>(k) + 1;  // by index, as GDAL may have shortened the name
         if (attribute.text)
-          feature.SetField(place, attribute.text(i).c_str());
+          GDAL(OGR_F_SetFieldString)(feature.get(), place, attribute.text(i).c_str());
         else if (const double value = attribute.number(i); std::isfinite(value))
-          feature.SetField(place, value);
+          GDAL(OGR_F_SetFieldDouble)(feature.get(), place, value);
       }
-      auto ring = std::make_unique<OGRLinearRing>();
+      Geometry geometry(GDAL(OGR_G_CreateGeometry)(wkbPolygon)), ring(GDAL(OGR_G_CreateGeometry)(wkbLinearRing));
       const auto corners = triangles.corners(i);
       for (const std::size_t k : {0U, 1U, 2U, 0U})
-        triangles.has_z ? ring->addPoint(corners[k].x, corners[k].y, corners[k].z)
-                        : ring->addPoint(corners[k].x, corners[k].y);
-      OGRPolygon geometry;
-      geometry.addRingDirectly(ring.release());
-      add(layer, feature, geometry, i);
+        triangles.has_z ? GDAL(OGR_G_AddPoint)(ring.get(), corners[k].x, corners[k].y, corners[k].z)
+                        : GDAL(OGR_G_AddPoint_2D)(ring.get(), corners[k].x, corners[k].y);
+      add_part(geometry, std::move(ring));
+      add(layer, feature.get(), std::move(geometry), i);
     }
   }
 
   std::vector<OgrFile> files() {
-    if (in_transaction_ && dataset_->CommitTransaction() != OGRERR_NONE) fail(gdal_.reason());
+    if (in_transaction_ && GDAL(GDALDatasetCommitTransaction)(dataset_.get()) != OGRERR_NONE) fail(errors_.reason());
     dataset_.reset();  // writes the rest
-    if (gdal_.has_failed()) fail(gdal_.reason());
+    if (errors_.have_come()) fail(errors_.reason());
     std::vector<OgrFile> files;
     for (const std::string& ending : ogr_endings(format_)) {
       vsi_l_offset size = 0;
-      const GByte* bytes = VSIGetMemFileBuffer(with(ending).c_str(), &size, 0);
+      const GByte* bytes = GDAL(VSIGetMemFileBuffer)(with(ending).c_str(), &size, 0);
       if (bytes != nullptr) files.push_back({ending, {reinterpret_cast<const char*>(bytes), size}});
     }
     return files;
@@ -313,68 +364,76 @@ class OgrWriter {
     throw Failure(std::string("cannot write ") + driver_of(format_) + ": " + why);
   }
 
-  OGRLayer& create_layer(const char* name, OGRwkbGeometryType type) {
-    OGRLayer* layer = dataset_->CreateLayer(name, has_system_ ? &system_ : nullptr, type, nullptr);
-    if (layer == nullptr) fail(gdal_.reason());
-    return *layer;
+  OGRLayerH create_layer(const char* name, OGRwkbGeometryType type) {
+    const OGRLayerH layer = GDAL(GDALDatasetCreateLayer)(dataset_.get(), name, system_.get(), type, nullptr);
+    if (layer == nullptr) fail(errors_.reason());
+    return layer;
   }
-  void add_field(OGRLayer& layer, const char* name, OGRFieldType type) const {
-    OGRFieldDefn field(name, type);
-    if (layer.CreateField(&field) != OGRERR_NONE) fail(gdal_.reason());
+  void add_field(OGRLayerH layer, const char* name, OGRFieldType type) const {
+    const Field field(GDAL(OGR_Fld_Create)(name, type));
+    if (GDAL(OGR_L_CreateField)(layer, field.get(), TRUE) != OGRERR_NONE) fail(errors_.reason());
   }
   /// Adds a field for each attribute. Unsigned integers of 64 bits, which OGR does not have, become texts.
-  void add_attributes(OGRLayer& layer, std::span<const Attribute> attributes) const {
+  void add_attributes(OGRLayerH layer, std::span<const Attribute> attributes) const {
     for (const Attribute& attribute : attributes) {
       const PointColumn& column = *attribute.column;
       const bool is_text = column.is_text || column.type == Scalar::uint64;
       add_field(layer, attribute.name.c_str(), is_text ? OFTString : is_integer(column.type) ? OFTInteger64 : OFTReal);
     }
   }
-  /// Set the last fields, which are `attributes`, or one by name; a number that is not finite is null, as in JSON.
-  static void set(OGRFeature& feature, std::span<const Attribute> attributes, std::size_t index) {
-    int place = feature.GetFieldCount() - static_cast<int>(attributes.size());
+  /// Set the last fields, which are `attributes`, or one by name; a number that is not finite is null, as in JSON. GDAL
+  /// converts a text to the type of the field.
+  static void set(OGRFeatureH feature, std::span<const Attribute> attributes, std::size_t index) {
+    int place = GDAL(OGR_F_GetFieldCount)(feature) - static_cast<int>(attributes.size());
     for (const Attribute& attribute : attributes) {
       attribute.with_value(index, [&](const auto& value) {
         if constexpr (requires { value.c_str(); })
-          feature.SetField(place, value.c_str());
+          GDAL(OGR_F_SetFieldString)(feature, place, value.c_str());
         else if constexpr (std::is_integral_v<std::remove_cvref_t<decltype(value)>>)
-          feature.SetField(place, std::to_string(value).c_str());  // GDAL converts it to the type of the field
+          GDAL(OGR_F_SetFieldString)(feature, place, std::to_string(value).c_str());
         else if (std::isfinite(value))
-          feature.SetField(place, static_cast<double>(value));
+          GDAL(OGR_F_SetFieldDouble)(feature, place, static_cast<double>(value));
       });
       ++place;
     }
   }
-  static void set(OGRFeature& to, const char* name, std::size_t value) {
-    to.SetField(name, static_cast<GIntBig>(value));
+  static int place_of(OGRFeatureH feature, const char* name) { return GDAL(OGR_F_GetFieldIndex)(feature, name); }
+  static void set(OGRFeatureH feature, const char* name, const std::string& value) {
+    GDAL(OGR_F_SetFieldString)(feature, place_of(feature, name), value.c_str());
   }
-  static void set(OGRFeature& feature, const char* name, double value) {
-    if (std::isfinite(value)) feature.SetField(name, value);
+  static void set(OGRFeatureH feature, const char* name, std::size_t value) {
+    GDAL(OGR_F_SetFieldInteger64)(feature, place_of(feature, name), static_cast<GIntBig>(value));
   }
-  static OGRPolygon polygon_of(const Polygon& polygon, std::span<const Point> points) {
-    OGRPolygon geometry;
+  static void set(OGRFeatureH feature, const char* name, double value) {
+    if (std::isfinite(value)) GDAL(OGR_F_SetFieldDouble)(feature, place_of(feature, name), value);
+  }
+  static void add_part(const Geometry& whole, Geometry part) {
+    GDAL(OGR_G_AddGeometryDirectly)(whole.get(), part.release());
+  }
+  static Geometry polygon_of(const Polygon& polygon, std::span<const Point> points) {
+    Geometry geometry(GDAL(OGR_G_CreateGeometry)(wkbPolygon));
     const auto add_ring = [&](const Ring& ring) {
-      auto line = std::make_unique<OGRLinearRing>();
-      for (const std::uint32_t i : ring.points) line->addPoint(points[i].x, points[i].y);
-      line->addPoint(points[ring.points.front()].x, points[ring.points.front()].y);
-      geometry.addRingDirectly(line.release());
+      Geometry line(GDAL(OGR_G_CreateGeometry)(wkbLinearRing));
+      const auto add_point = [&](std::uint32_t i) { GDAL(OGR_G_AddPoint_2D)(line.get(), points[i].x, points[i].y); };
+      for (const std::uint32_t i : ring.points) add_point(i);
+      add_point(ring.points.front());
+      add_part(geometry, std::move(line));
     };
     add_ring(polygon.shell);
     for (const Ring& hole : polygon.holes) add_ring(hole);
     return geometry;
   }
-  void add(OGRLayer& layer, OGRFeature& feature, const OGRGeometry& geometry, std::size_t index) const {
+  void add(OGRLayerH layer, OGRFeatureH feature, Geometry geometry, std::size_t index) const {
     if (index % 1024 == 0) stop_if_interrupted();
-    if (!geometry.IsEmpty()) feature.SetGeometry(&geometry);
-    if (layer.CreateFeature(&feature) != OGRERR_NONE) fail(gdal_.reason());
+    if (GDAL(OGR_G_IsEmpty)(geometry.get()) == 0) GDAL(OGR_F_SetGeometryDirectly)(feature, geometry.release());
+    if (GDAL(OGR_L_CreateFeature)(layer, feature) != OGRERR_NONE) fail(errors_.reason());
   }
 
-  Gdal gdal_;
+  GdalErrors errors_;
   Format format_;
   std::string path_;
-  OGRSpatialReference system_;
-  bool has_system_ = false;
-  GDALDatasetUniquePtr dataset_;
+  System system_;  // null if the layers have none
+  Dataset dataset_;
   bool in_transaction_ = false;
 };
 
