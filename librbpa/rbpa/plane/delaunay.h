@@ -35,7 +35,7 @@ class RBPA_API Delaunay {
            const char* function = "Delaunay");
 
   // The span would outlive the points.
-  template <TemporaryOwner<std::span<const Point>> Points>
+  template <TemporaryOwner<std::span<const Point>> Points>  // NOLINTNEXTLINE(*-forwarding-reference-overload): no copy
   explicit Delaunay(Points&&, const AlphaComplexOptions& = {}) = delete;
   template <typename Triangulation, TemporaryOwner<std::span<const Point>> Points>
   Delaunay(Triangulation&&, Points&&, const GoOn& = {}, const char* = "") = delete;
