@@ -1,4 +1,5 @@
-// What: splits the faces of a surface into triangles, glued within each face and where the faces are glued.
+// What: splits the faces of a surface into triangles. Triangles are neighbors within a face, and where their faces are
+//       neighbors.
 // Why:  the functions of the library for triangle surfaces then apply to faces of any number of corners.
 // Cost: a sort of the sides.
 #pragma once

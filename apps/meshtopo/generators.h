@@ -15,8 +15,8 @@ namespace rbpa::app {
 
 struct Generators {
   std::vector<Polyline> loops;
-  std::vector<std::string_view>
-      kinds;  ///< kind of each loop: "handle", "tunnel", "neither", "both" or "unknown" (meshops::LoopKind)
+  /// Kind of each loop: "handle", "tunnel", "neither", "both" or "unknown" (meshops::LoopKind).
+  std::vector<std::string_view> kinds;
 };
 
 /// Returns generators, sorted by kind. With `shortest` they are a basis of the least total length, up to rounding,

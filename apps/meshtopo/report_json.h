@@ -9,10 +9,10 @@
 namespace rbpa::app {
 
 /// Writes one JSON object with the members vertices, edges, faces, euler, components, boundary_curves, genus (null if
-/// undefined), betti, pinches, isolated, defects, geometric_defects, area, volume and box (null if there is none),
-/// per_component. A repair adds repair, its steps; other changes add changes and result; a repair with checks also adds
-/// result; checks add checks. Lists are complete. If `name`, the name of the mesh, is not empty, "file" is the first
-/// member. Throws as OutputFile::write() does; Cancelled.
+/// undefined), betti, pinches, isolated, defects, geometric_defects, area, volume (null if undefined), box (null if
+/// there is none), per_component. A repair adds repair, its steps; other changes add changes and result; a repair with
+/// checks also adds result; checks add checks. Lists are complete. If `name`, the name of the mesh, is not empty,
+/// "file" is the first member. Throws as OutputFile::write() does; Cancelled.
 void write_report_json(OutputFile& file, const Findings& findings, const std::string& name = "");
 
 /// Writes the JSON object for a mesh that cannot be read, with the members "file" (`name`) and "error" (`error`).

@@ -23,9 +23,10 @@ bool lacks_name_of_rows(const TableLines& lines, const SeparatorChoice& choice);
 /// first field below texts, and is read as a point; empty for any other last line.
 std::string doubt_last_line(const TableLines& lines, char separator);
 
-/// Throws WholeRefusal if the current line, which is no point, is the header of another table: distinct names, in
-/// another line than `header`. As many names as columns must include known coordinates or be below a blank line; more
-/// or fewer names must include known coordinates and be above a point with as many fields.
+/// Throws WholeRefusal if the current line, which is no point, is the header of another table: two or more distinct
+/// names, in a text other than `header`, which is not empty. If there are as many names as `width` has fields, the
+/// names must include known coordinates, or the line before must be blank. Otherwise the names must include known
+/// coordinates, and the next line with content must be a point with as many fields as there are names.
 void refuse_second_header(const TableLines& lines, char separator, const FieldCount& width, const std::string& header);
 
 }  // namespace rbpa::app

@@ -1,6 +1,7 @@
 // What: decides whether two halfedges lie on one boundary curve, or two faces in one component.
-// Cost: for two curves or components, the size of the smaller, because both are searched in turns. A sequence of n
-//       operators that each split one curve or component in two, or each join two, searches in O(n log n) time.
+// Cost: for two curves or components, the size of the smaller, because both are searched in turns. A sequence of
+//       operators that each split one curve or component in two, or each join two, searches in O(m log m) time for m
+//       halfedges of these curves, or m faces of these components, together.
 #pragma once
 
 #include <optional>

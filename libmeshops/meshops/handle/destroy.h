@@ -20,7 +20,7 @@ MESHOPS_API std::optional<Blocker> destroy_triangle_blocker(const Connectivity& 
 
 /// Marks a triangle that is the only face of its component as deleted, together with its edges and vertices.
 /// Returns:  delta_of_destroy().
-/// Requires: destroy_triangle_blocker() is empty; the mesh has status of every kind.
+/// Requires: destroy_triangle_blocker() is empty.
 /// Throws:   ContractViolation; the mesh is then unchanged.
 /// Inverse:  create_triangle(), up to handles.
 /// Cost:     constant.
@@ -36,7 +36,7 @@ MESHOPS_API std::optional<Blocker> remove_triangle_blocker(const Connectivity& m
 /// Effect:   the remaining edges and vertices keep their handles; a second fan gets a new vertex. Sides and corners
 ///           without another face are marked deleted.
 /// Returns:  the change of the counts, in which faces change by −1.
-/// Requires: remove_triangle_blocker() is empty; the mesh has status of every kind.
+/// Requires: remove_triangle_blocker() is empty.
 /// Throws:   ContractViolation; the mesh is then unchanged.
 /// Inverse:  insert_triangle() (insert_triangle.h), up to handles.
 /// Cost:     the cost of an unglue() for each side with a face beyond it.

@@ -26,8 +26,8 @@ struct GlueEffect {
 };
 
 /// Returns why `first` and `second` cannot be glued, or nothing when they can. The reasons: the mesh lacks status of
-/// some kind; a halfedge does not exist or is not on the boundary; both belong to one edge; two vertices that would
-/// become one are joined by an edge, which would become a loop; or an end has several fans (core/fans.h).
+/// some kind; a halfedge does not exist, is deleted or is not on the boundary; both belong to one edge; two vertices
+/// that would become one are joined by an edge, which would become a loop; or an end has several fans (core/fans.h).
 /// Cost:     the degrees of the ends.
 MESHOPS_API std::optional<Blocker> glue_blocker(const Connectivity& mesh, Halfedge first, Halfedge second);
 

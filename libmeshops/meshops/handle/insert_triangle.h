@@ -1,7 +1,7 @@
 // What:   adds a triangle and glues up to three of its sides to boundary edges, in one step.
-// Law:    insert_triangle() leaves the live mesh, up to handles, that create_triangle() followed by a glue() for each
-//         given side would leave, except that a vertex that is merged into another stays, isolated and not marked
-//         deleted. A front attaches every triangle in this way.
+// Law:    the live mesh is the same, up to handles, as after create_triangle() and then a glue() for each given side,
+//         except for merged vertices: a vertex that is merged into another stays, isolated and not marked deleted. A
+//         front attaches every triangle in this way.
 // Source: Medeiros, A topological framework for advancing front triangulations (2003), attach cases.
 #pragma once
 

@@ -22,12 +22,14 @@ std::optional<Blocker> glue_links_blocker(const Connectivity& mesh, Halfedge fir
 std::optional<Blocker> merge_blocker(const Connectivity& mesh, Halfedge out, Halfedge other_out);
 
 /// Returns the case of glue() of the two halfedges. Requires: glue_links_blocker() is empty; not checked.
+/// Cost: constant if the edges are adjacent; otherwise the shorter way between them along their curve; for two curves,
+///       the length of the shorter, and the cost of in_same_component() (core/reach.h).
 GlueCase case_of_glue(const Connectivity& mesh, Halfedge first, Halfedge second);
 
 /// Glues. Requires: glue_links_blocker() is empty; the mesh has status of every kind; `what` is case_of_glue(). Not
 /// checked.
 GlueEffect glue_links(Connectivity& mesh, Halfedge first, Halfedge second, GlueCase what);
-/// Unglues. Requires: unglue_blocker() is empty; not checked.
+/// Unglues. Requires: unglue_blocker() is empty; not checked. Cost: the cost of unglue_case().
 UnglueEffect unglue_links(Connectivity& mesh, Halfedge h);
 
 }  // namespace meshops::detail

@@ -27,8 +27,9 @@ struct ZipCurvesEffect {
 };
 
 /// Returns why the curves through `first` and `second` cannot be glued, or nothing when they can. The reasons: the mesh
-/// lacks status of some kind, a halfedge does not exist or is not on the boundary, both are on one curve, the curves
-/// differ in length, an edge joins two vertices that would become one, or a vertex has several fans (core/fans.h).
+/// lacks status of some kind, a halfedge does not exist, is deleted or is not on the boundary, both are on one curve,
+/// the curves differ in length, an edge joins two vertices that would become one, or a vertex has several fans
+/// (core/fans.h).
 /// Cost:     the degrees of the vertices on both curves.
 MESHOPS_API std::optional<Blocker> zip_curves_blocker(const Connectivity& mesh, Halfedge first, Halfedge second);
 
@@ -36,7 +37,7 @@ MESHOPS_API std::optional<Blocker> zip_curves_blocker(const Connectivity& mesh, 
 /// become one closed seam of inner edges. The operator joins pieces that were built separately.
 /// Effect:      the edges of the curve through `first` stay; the edges of the other curve are marked deleted. Of each
 ///              two vertices that merge, the one of the higher handle is marked deleted.
-/// Requires:    zip_curves_blocker() is empty; the mesh has status of every kind.
+/// Requires:    zip_curves_blocker() is empty.
 /// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: the edges of the curve through `second`, and the vertices that are marked deleted.
 /// Inverse:     undo(), exactly.

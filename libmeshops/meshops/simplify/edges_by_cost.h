@@ -1,7 +1,8 @@
 // What: the edges of a mesh that wait for their collapse: the least cost comes first, then the least keys of the ends.
 // Law:  an edge waits at most once. Entries that were superseded are stale, and are skipped.
-// How:  entries lie in bands of descending costs. Only the last band is a heap, small enough for the cache; when it is
-//       empty, the least eighth of the band before becomes a band, until that is small.
+// How:  entries lie in bands of descending costs. Only the last band is a heap. When it is empty, the band before is
+//       the last: while it has more than 2,048 entries, about its least eighth becomes a new last band, unless the
+//       costs are too equal to split it. The heap then fits the cache.
 // Cost: amortized logarithmic time for each entry; memory for about three entries for each edge.
 #pragma once
 

@@ -32,7 +32,7 @@ MESHOPS_API std::optional<Blocker> collapse_blocker(const Connectivity& mesh, Ha
 ///              halfedge from or to v becomes a halfedge from or to w. The edges from w to the apexes stay, with one
 ///              exception: if v is inner and has only two edges, both apexes are one vertex, which two edges join to w;
 ///              only the one on the right of h stays.
-/// Requires:    collapse_blocker() is empty; the mesh has status of every kind.
+/// Requires:    collapse_blocker() is empty.
 /// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: the elements marked deleted.
 /// Inverse:     split_vertex(left, right) of the returned effect, up to handles; undo(), exactly.

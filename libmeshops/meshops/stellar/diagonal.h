@@ -56,7 +56,7 @@ MESHOPS_API std::optional<Blocker> remove_diagonal_blocker(const Connectivity& m
 
 /// Removes the edge of h. The edge and the face of h are marked deleted; the face on the other side of the edge gets
 /// the sides of both faces. Two faces with several common edges become one face that touches itself.
-/// Requires:    remove_diagonal_blocker() is empty; the mesh has status of every kind.
+/// Requires:    remove_diagonal_blocker() is empty.
 /// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: the elements marked deleted.
 /// Inverse:     insert_diagonal(from, to) of the returned effect, up to handles.

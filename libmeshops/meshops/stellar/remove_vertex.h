@@ -22,7 +22,7 @@ MESHOPS_API std::optional<Blocker> remove_vertex_blocker(const Connectivity& mes
 
 /// Collapses the first halfedge that leaves v and has no blocker. The halfedges are tried clockwise from
 /// mesh.halfedge_handle(v) on, in the order of mesh.voh_range(v).
-/// Requires:    remove_vertex_blocker() is empty; the mesh has status of every kind.
+/// Requires:    remove_vertex_blocker() is empty.
 /// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: the elements marked deleted, which are `removed` in the effect.
 /// Inverse:     split_vertex(left, right) of the returned effect, up to handles; undo(), exactly.

@@ -28,7 +28,7 @@ MESHOPS_API std::optional<Blocker> weld_edge_blocker(const Connectivity& mesh, H
 /// Removes the vertex v of h = v→b and all edges of v except the edge a–v opposite to h, which becomes a–b.
 /// Effect:      v, the edge of h, the edges from v to the apexes, and the faces at h are marked deleted; the faces at
 ///              the edge a–v take the places of the deleted faces.
-/// Requires:    weld_edge_blocker() is empty; the mesh has status of every kind.
+/// Requires:    weld_edge_blocker() is empty.
 /// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: the elements marked deleted; a, b, the edge a–v and the faces at a survive.
 /// Inverse:     split_edge() of `line`, up to handles; undo(), exactly.

@@ -27,7 +27,7 @@ MESHOPS_API std::optional<Blocker> weld_face_blocker(const Connectivity& mesh, V
 /// Removes an inner vertex of degree three; its three triangles become one.
 /// Effect:      the vertex, its edges, and the two faces at the edge of mesh.halfedge_handle(v) are marked deleted;
 ///              the third face becomes the triangle.
-/// Requires:    weld_face_blocker() is empty; the mesh has status of every kind.
+/// Requires:    weld_face_blocker() is empty.
 /// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: the elements marked deleted.
 /// Inverse:     split_face() of `face`, up to handles; undo(), exactly.

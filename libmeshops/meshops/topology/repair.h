@@ -48,13 +48,13 @@ MESHOPS_API std::string_view name(RepairKind kind);
 MESHOPS_API std::string describe(const RepairStep& step);
 
 /// Repairs a soup. First, corners that equal the next corner of their face are dropped, then faces that are degenerate,
-/// duplicate or out of range. Duplicates stay that are walls between two surfaces, such as two closed solids: pairs of
-/// faces in opposite directions, at each edge of which two sides run in each direction; the faces of a pair get points
-/// of their own, and each side stays joined to its surface, unless one of them would be reversed. Faces connected
-/// through edges of two faces are two sets of opposite directions; the smaller set is reversed, or, in a tie, the set
-/// without the first face. An edge is cut if more than two faces meet there, or two that do not agree on a direction.
-/// Two faces at a cut edge stay joined only if other edges connect them around both ends of the edge. A point with
-/// several fans is split.
+/// duplicate or out of range. Walls are kept: pairs of faces with the same corners in opposite directions, at each edge
+/// of which two sides run in each direction, as between two closed solids. The faces of a pair get points of their own,
+/// and each face stays joined to the surface on its side. If this would reverse a face of a wall or leave a defect, no
+/// wall is kept: the later face of every pair is dropped. Faces connected through edges of two faces are two sets of
+/// opposite directions; the smaller set is reversed, or, in a tie, the set without the first face. An edge is cut if
+/// more than two faces meet there, or two that do not agree on a direction. Two faces at a cut edge stay joined only if
+/// other edges connect them around both ends of the edge. A point with several fans is split.
 /// Throws: ContractViolation as require_parted() does, or for 2³⁰ or more corners, points or faces; Cancelled.
 MESHOPS_API Repair repair(const PolygonSoup& soup, const GoOn& go_on = {});
 

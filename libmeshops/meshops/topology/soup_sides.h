@@ -31,7 +31,8 @@ struct FaceFaults {
 FaceFaults find_face_faults(const PolygonSoup& soup, const GoOn& go_on);
 
 /// Finds walls, and removes the faults of their faces. A wall is made of pairs of faces with the same corners in
-/// opposite directions. At each of its edges four sides meet, two in each direction, so that it parts two surfaces.
+/// opposite directions. At each of its edges four sides meet, two in each direction, so that the wall separates two
+/// surfaces.
 /// Requires: `faults` is find_face_faults(soup); not checked. Throws Cancelled.
 void keep_walls(const PolygonSoup& soup, FaceFaults& faults, const GoOn& go_on);
 

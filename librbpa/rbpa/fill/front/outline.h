@@ -34,12 +34,13 @@ struct Outline {
 Outline outline_of(std::span<const Point> points, std::span<const Ring> rings, std::span<const RingPlace> places,
                    std::span<const std::size_t> groups);
 
-/// Cuts edges into pieces that are not much longer than the size field allows: the number of pieces of an edge is the
-/// integral of 1 / size along the edge, rounded to an integer. Added points are rounded to doubles. An edge stays whole
-/// if its pieces would be too short for doubles, or would meet other edges of its group. All rings that share an edge,
-/// in either direction, get the added points of the edge.
+/// Cuts edges into pieces at most about 1.5 times as long as the size field allows: the number of pieces of an edge is
+/// the integral of 1 / size along the edge, rounded to an integer. Added points are rounded to doubles. An edge stays
+/// whole if its pieces would be too short for doubles; so does each of two edges whose pieces would meet within a
+/// group, and the edge before a piece that is the first of its edge. All rings that share an edge, in either direction,
+/// get its added points.
 /// Throws: Cancelled.
-/// Cost:   n log n in the pieces.
+/// Cost:   n log n for n pieces, again after each meeting of pieces.
 void cut(Outline& outline, const SizeField& field, const GoOn& go_on);
 
 /// The part of an outline that belongs to one group, as an outline of its own.

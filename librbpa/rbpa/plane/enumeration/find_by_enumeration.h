@@ -2,7 +2,7 @@
 // Law:  every triangle of the complex with a corner that the tile owns is found, and no other.
 // Why:  an advancing front finds the whole Delaunay triangulation, even if alpha leaves little of it. If a point has a
 //       handful of other points within 2 alpha, testing which of these form a triangle with the point is faster.
-// Cost: for each point, with m others within 2 alpha: O(m³) triples, each tested against m points in vector registers;
+// Cost: for each point, with m others within 2 alpha: O(m²) triples, each tested against m points in vector registers;
 //       a few dozen nanoseconds up to m = 6.
 #pragma once
 
@@ -23,9 +23,9 @@ struct EnumerationWorkspace {
 };
 
 /// Finds the patch of a tile. Returns false, and leaves `found` unspecified, if alpha is infinite or 2 alpha exceeds
-/// about a cell of the tile, if the tile lacks points that the search may need, or if the search would not pay: a point
-/// has more than 48 points in the 3 × 3 cells around it, there are more than about 12 triples a point, or rounding
-/// leaves too many decisions open.
+/// about a cell of the tile, if the tile lacks points that the search may need, or if the search would not pay: the
+/// 3 × 3 cells around a point have more than 48 points, that point included, there are more than about 12 triples a
+/// point, or rounding leaves too many decisions open.
 /// Requires: workspace.coordinates are those of the tile.
 bool find_by_enumeration(const Tile& tile, const Radius& alpha, TileWorkspace& workspace, EnumerationWorkspace& own,
                          TilePatch& found);

@@ -12,8 +12,8 @@
 
 namespace rbpa {
 
-/// Returns α₀ for leaves of at most `leaf_capacity` points. Calls `checkpoint`, if any, for every square with more than
-/// 4,096 points; `checkpoint` may throw.
+/// Returns α₀ for leaves of at most `leaf_capacity` points. Calls `checkpoint`, if any, repeatedly while squares have
+/// more than 4,096 points; `checkpoint` may throw.
 inline double least_radius(const Sites& sites, std::size_t leaf_capacity, const Checkpoint& checkpoint) {
   long double side = 0;
   if (sites.beyond().empty()) {

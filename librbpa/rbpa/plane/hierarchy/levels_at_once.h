@@ -4,8 +4,8 @@
 // How:    patches are laid whole, as rbpa() lays them, and the thread that lays a triangle notes the triangle's level.
 //         Then faces get new numbers. A site takes part on the levels of its triangles, and is closed after the last of
 //         these levels if its fan is closed; an edge exists from the first level of its triangles on.
-// Cost:   that of rbpa(), a comparison of the circumradius for each triangle, and, unless all triangles are of the
-//         first level, two passes over the mesh.
+// Cost:   that of rbpa(), a comparison of the circumradius for each triangle, and a pass over faces and one over
+//         halfedges; a few more unless all triangles are of the first level.
 // Source: docs/explanation/plane.md, sections 16 and 17.
 #pragma once
 

@@ -2,8 +2,8 @@
 // Law:    a square with more than `capacity` distinct points is cut into quarters. The root is the least square that
 //         begins at the lower left corner of the points' box and covers the box. The leaves are a function of the set
 //         of points.
-// Cost:   linear in the points if they lie evenly; otherwise at most proportional to points times depth. A square whose
-//         points all lie in one small part of it costs at most as much as one other square.
+// Cost:   linear in the points if they lie evenly; otherwise at most proportional to points times depth. Nested
+//         squares that each have all their points in one quarter cost together as much as one square.
 // Source: Restricted BPA, section 6, "Minimal radius estimation".
 #pragma once
 
@@ -27,7 +27,7 @@ class Quadtree {
       : points_(points), capacity_(std::max<std::size_t>(capacity, 1)) {}
 
   /// Returns the side of the smallest leaf, or of the root if the root is not cut; 0 without points. Calls
-  /// `checkpoint`, if any, for every square with more than 4,096 points; `checkpoint` may throw.
+  /// `checkpoint`, if any, repeatedly while squares have more than 4,096 points; `checkpoint` may throw.
   Real smallest_side(const Checkpoint& checkpoint = {}) const {
     if (points_.empty()) return 0;
     const auto [low, high] = box_of(points_);

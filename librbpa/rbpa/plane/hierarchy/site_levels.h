@@ -16,7 +16,7 @@
 
 namespace rbpa {
 
-/// Returns a lower bound of the circumradius of (a, b, c), up to rounding, for scheduling only: no
+/// Returns a lower bound of the circumradius of (a, b, c), up to rounding. The bound is for scheduling only; no
 /// decision depends on it. The bound is at least half of the circumradius unless the corners are so near a line that
 /// rounding hides their area.
 /// Requires: coordinates in the range of `Real` (fits_double() for double); corners that are not all equal.

@@ -1,5 +1,5 @@
 // What: the result of a tile: a patch of the solid alpha complex, and the sites that it settles.
-// Law:  a triangle comes from the tile that owns its least corner, and from no other.
+// Law:  a triangle comes from the tile that owns its lexicographically least corner, and from no other.
 #pragma once
 
 #include <array>

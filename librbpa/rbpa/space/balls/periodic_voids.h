@@ -19,9 +19,9 @@
 
 namespace rbpa {
 
-/// Finds the voids of one cell. BallVoids::voids has one image of each closed void, and the parts that percolate with
-/// their sizes in one cell. There are no pockets. To find the voids in which the center of a probe fits, add the radius
-/// of the probe to all radii.
+/// Finds the voids of one cell. BallVoids::voids has one image of each closed void, and each part that percolates; the
+/// sizes of such a part are those in one cell. There are no pockets. To find the voids in which the center of a probe
+/// fits, add the radius of the probe to all radii.
 /// Requires: what measure_periodic_balls() requires without a probe; a cell that repeats along all three edges.
 /// Throws:   InvalidInput that names the violated requirement, or if the cell is so flat that too many images are
 ///           required; Cancelled.

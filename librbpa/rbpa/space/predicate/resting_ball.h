@@ -4,7 +4,8 @@
 //         docs/explanation/surfaces.md, sections 10 and 14.
 // How:    a floating-point filter whose bounds are computed with the ball (docs/explanation/surfaces.md, section 15);
 //         then long double, then integers of any length.
-// Cost:   about sixty operations for a ball, and fifteen for a test of a point; microseconds where a filter fails.
+// Cost:   about 120 operations for a ball, and twenty for a test of a point, bounds of errors included; microseconds
+//         where a filter fails.
 #pragma once
 
 #include <algorithm>
@@ -18,8 +19,8 @@
 
 namespace rbpa::space {
 
-/// Returns whether q is in the ball of radius `radius` that rests on a, b and c. Integers decide; if q touches the
-/// ball, the perturbation decides.
+/// Returns whether q is in the ball of radius `radius` that rests on a, b and c, its center on the side from which they
+/// are counter-clockwise. Integers decide; if q touches the ball, the perturbation decides.
 /// Requires: the circumradius of a, b and c is at most `radius`.
 bool in_ball_exactly(const Point3& a, const Point3& b, const Point3& c, double radius, const Point3& q);
 

@@ -2,9 +2,9 @@
 // How:  stores the minors of the first three rows of the in-sphere determinant; four products remain for a point q:
 //
 //                  | a − d   |a − d|² |
-//           V(q) = | b − d   |b − d|² |  =  minor · (q − d, |q − d|²)   positive inside: a, b, c, d positively oriented
+//           V(q) = | b − d   |b − d|² |  =  minor · (q − d, |q − d|²)
 //                  | c − d   |c − d|² |
-//                  | q − d   |q − d|² |
+//                  | q − d   |q − d|² |      positive inside if (b − a) × (c − a) · (d − a) > 0
 //
 //       A corner may be at infinity. Its row is (0, 0, 0, 1), the limit of a far corner's row divided by the corner's
 //       lift: the sphere is the half-space beyond the plane through the other corners, and V has four products, too.
@@ -88,6 +88,7 @@ class ErrorBound {
 /// The factors of the four products of V(q): of x, y, z and |q − d|².
 using SphereMinors = std::array<double, 4>;
 
+/// Returns the minors of the sphere through d and the ends of the spokes from d to a, b and c.
 inline SphereMinors sphere_minors(const Spoke& a, const Spoke& b, const Spoke& c) {
   const double xy = b.x * c.y - b.y * c.x, yz = b.y * c.z - b.z * c.y, xz = b.x * c.z - b.z * c.x,
                xs = b.x * c.square - b.square * c.x, ys = b.y * c.square - b.square * c.y,
@@ -97,7 +98,8 @@ inline SphereMinors sphere_minors(const Spoke& a, const Spoke& b, const Spoke& c
 }
 
 /// Constant of the filter: errors are below this constant times the lengths in docs/explanation/exact_decisions.md,
-/// section 7. It covers the roundings of V, 20 for points and less than 21 with weights, and those of the bound.
+/// sections 7 and 8. It covers the error of V, below 20 · 2^−53 for points and 21 · 2^−53 with weights, and the
+/// roundings of the bound.
 inline constexpr double in_sphere_filter = 24 * 0x1p-53;
 
 /// Returns the bound of the error of V with the minors of sphere_minors(a, b, c). Requires: no corner at infinity;
@@ -126,7 +128,7 @@ enum class RadiusSide { within, beyond, unknown };
 /// Returns the comparison of the radius with alpha by the minors, or `unknown` where it is not certain
 /// (docs/explanation/exact_decisions.md, section 7).
 inline RadiusSide radius_side(const SphereMinors& m, const ErrorBound& error, double alpha) {
-  // (m0, m1, m2) is 2 minor 3 times the vector to the circumcenter.
+  // (m0, m1, m2) is −2 m3 times the vector from d to the circumcenter.
   constexpr double up = 1 + 0x1p-48, down = 1 - 0x1p-48;
   const double volume = std::abs(m[3]), volume_error = error.slope();
   const double length = std::sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]),

@@ -1,11 +1,13 @@
 // What:   adds points to the fillings of holes until they are as fine and as smooth as the surface around them.
 // How:    splits triangles that are large relative to the edges at their corners, and flips edges until they are
 //         Delaunay (Liepa 2003). Then moves the new points so that the mean curvature along the rim is that of the two
-//         rings of points outside, and harmonic inside: up to twenty rounds of least squares, each a sparse system.
+//         rings of points outside, and so that the mean curvature inside is harmonic. This takes up to twenty rounds of
+//         least squares, each a sparse system.
 // Law:    a function of the points and triangles, not of any order or number of threads. No triangle of a filling with
 //         added points crosses another, which is tested exactly: if one would, the added points of the filling are not
 //         moved; if a crossing remains, the filling gets no points.
-// Cost:   that of crossing_triangles(), one to three times; for a filling of n points about n^1.5.
+// Cost:   that of crossing_triangles(), mostly one to three times, at most 2k + 1 times for k fillings; for a filling
+//         of n points about n^1.5.
 // Source: Liepa, Filling holes in meshes (2003); Schneider and Kobbelt, Geometric fairing of irregular meshes for
 //         free-form surface design (2001).
 #pragma once
@@ -39,7 +41,7 @@ struct RefinedSurface : AddedPoints {
 };
 
 /// Refines each filling: each connected set of triangles t with is_new[t]. A filling with two vertices at one place
-/// stays as it is. Each filling is refined until about 2^20 points are added to it.
+/// stays as it is. Refining a filling stops when about 2^20 points have been added to it.
 /// Requires: `surface` is an indexable_surface() of `points`, which are finite; one flag for each triangle; fewer than
 ///           2^31 points and triangles, the added ones included.
 /// Throws:   InvalidInput when a point is not finite; ContractViolation when another requirement is visibly not met;

@@ -53,10 +53,12 @@ struct QuadricOptions {
 class RBPA_API QuadricPolicy {
  public:
   /// Computes the quadrics of a mesh of triangles.
-  /// Requires: a sound mesh; `places` has a finite position for each vertex, by index; no option is negative.
-  /// Throws:   ContractViolation unless there is one place for each vertex, and with `no_crossings` also if a place is
-  ///           not finite. Without `no_crossings`, a place that is not finite makes a cost that simplify() refuses.
-  ///           Cost: n log n.
+  /// Requires: a sound mesh; `places` has a finite position for each vertex, by index; weights and `normal_deviation`
+  ///           are finite and at least 0; `sharp_angle` is from 0 to 180.
+  /// Throws:   ContractViolation unless the options meet this and there is one place for each vertex; with
+  ///           `no_crossings` also if a place is not finite. Without `no_crossings`, a place that is not finite makes a
+  ///           cost that simplify() refuses.
+  /// Cost:     n log n for n vertices.
   QuadricPolicy(const meshops::Connectivity& mesh, std::vector<Point3> places, const QuadricOptions& options = {});
   QuadricPolicy(QuadricPolicy&&) noexcept;
   ~QuadricPolicy();
@@ -68,7 +70,7 @@ class RBPA_API QuadricPolicy {
   double cost(const meshops::Connectivity& mesh, meshops::Edge e) const;
   /// Returns the place to which the edge collapses: an end with `at_ends`, otherwise the place of the least error.
   Point3 place(const meshops::Connectivity& mesh, meshops::Edge e) const;
-  /// Returns whether the collapse of the edge neither turns() a triangle nor crosses() one.
+  /// Returns whether turns() and crosses() are both false for this collapse.
   bool allows(const meshops::Connectivity& mesh, meshops::Edge e, const Point3& place) const {
     return !turns(mesh, e, place) && !crosses(mesh, e, place);
   }

@@ -79,9 +79,11 @@ struct EdgeOfBalls : BallEdge<double> {
 
 /// The part of the contact of two balls that is in a wedge.
 struct WedgePart {
-  double angle = 0;   ///< angle of the wedge; 0 if not requested
-  double area = 0;    ///< of the contact's part, less its sector of the disc within the circle where that is exposed
-  double growth = 0;  ///< derivative of that area when all radii grow alike
+  double angle = 0;  ///< angle of the wedge; 0 if not requested
+  /// Area of the quadrangle of the contact in the wedge (docs/explanation/space.md, section 24), without sectors of the
+  /// disc.
+  double area = 0;
+  double growth = 0;  ///< derivative of `area` when all radii grow alike
 };
 
 /// The three edges from one ball to the others of a tetrahedron, and the scalar products of the edges.
@@ -94,8 +96,8 @@ struct EdgesAtCorner {
 
 /// Returns the part of the contact at edge k that is in the tetrahedron.
 WedgePart in_tetrahedron(const EdgesAtCorner& at, std::size_t k, bool with_angle);
-/// Returns the part of the contact at the first edge that lies beside the triangle of both edges: between the triangle
-/// and the point in which the spheres of the three balls meet.
+/// Returns the part of the contact (measure_balls.h) of the balls of `edge` in the wedge between the triangle of both
+/// edges and the point in which the spheres of the three balls meet.
 WedgePart beside_triangle(const EdgeOfBalls& edge, const EdgeOfBalls& other);
 
 /// The circle in which the spheres of two balls meet.
@@ -122,8 +124,8 @@ struct BallCircle : CircleOfBalls {
   EdgeOfBalls edge;
 };
 
-/// Returns the angle, on the sphere of the common first ball, at the point in which this sphere meets those of j and k:
-/// the angle there of the spherical triangle of this point and the directions toward j and k.
+/// Returns an angle of a spherical triangle on the sphere of the common first ball. Its corners are the directions
+/// toward balls j and k, and a point in which the three spheres meet; the angle is at this point.
 double corner_angle(const EdgeOfBalls& j, const EdgeOfBalls& k);
 inline double corner_angle(const Ball& i, const Ball& j, const Ball& k) { return corner_angle({i, j}, {i, k}); }
 

@@ -1,4 +1,4 @@
-// What: finds a short cycle of edges around each tunnel.
+// What: finds a short cycle of edges around a tunnel.
 // Law:  let the last edge, in the filtration, of a cycle make a tunnel, and let the cycle be a boundary of triangles up
 //       to the triangle that ends the tunnel. The cycle is then no boundary of earlier triangles alone: otherwise an
 //       earlier triangle would be paired with the edge.
@@ -7,8 +7,10 @@
 //       is a boundary when the tunnel ends. If not, shortest paths replace parts of the column's cycle where part and
 //       path together are a boundary.
 // Cost: for each cycle, the number of edges in a ball as large as the cycle around the ends of its last edge; several
-//       times this number if parts are replaced.
-// Source: Dijkstra (1959); Hart, Nilsson, Raphael (1968).
+//       times this number if parts are replaced; also the column reductions of Tunnels::is_boundary(), once for each
+//       loop, path and replaced part. The constructor: linear in the edges.
+// Source: Dijkstra (1959) and Hart, Nilsson, Raphael (1968): shortest paths.
+//         docs/explanation/filtration_and_persistence.md, section 12.
 #pragma once
 
 #include <cstdint>
@@ -23,10 +25,12 @@
 
 namespace rbpa::space {
 
+/// A cycle around a tunnel, of one or several loops.
 struct Cycle {
-  std::vector<std::uint32_t> edges;  ///< edges in the order of the cycle; the first one makes the tunnel
-  double length = 0;
-  bool is_shortest = false;
+  /// The edges of the loop that begins with the edge that makes the tunnel, in order; then those of further loops.
+  std::vector<std::uint32_t> edges;
+  double length = 0;         ///< sum of the lengths of the edges, in units of the points, with rounding errors
+  bool is_shortest = false;  ///< whether it is known that no cycle of `Law` is shorter, up to rounding
 };
 
 class Cycles {
@@ -34,7 +38,8 @@ class Cycles {
   /// Keeps references to all arguments.
   Cycles(std::span<const Point3> points, const SolidFiltration& filtration, Pairing& pairing, Steps& step);
 
-  /// Returns a short cycle around the tunnel that `edge` makes. Requires: a triangle ends this tunnel.
+  /// Returns a short cycle around the tunnel that `edge` makes. Requires: `edge` makes a tunnel, and a triangle
+  /// ends it. Throws Cancelled.
   Cycle of(std::uint32_t edge);
 
  private:

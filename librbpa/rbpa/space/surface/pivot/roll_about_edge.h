@@ -1,5 +1,5 @@
 // What:   rolls the ball all the way around an edge, and finds the arcs on which the ball contains no point, and the
-//         triangles at the ends of these arcs.
+//         triangles at the ends of these arcs. rolling_ball.h rolls one step.
 // Law:    exact. Each free arc of the circle of the ball's centers is reported once, with the exposed triangles at its
 //         beginning and at its end. A function of the edge and the set of points. docs/explanation/surfaces.md, section
 //         12.
