@@ -9,7 +9,7 @@
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/number.h"
-#include "io/polygon/shape_files.h"
+#include "io/polygon/write_shapes.h"
 #include "io/sort.h"
 #include "plane/shape_outputs.h"
 #include "rbpa/base/error.h"

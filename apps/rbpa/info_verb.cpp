@@ -11,7 +11,7 @@
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/number.h"
-#include "io/polygon/shape_files.h"
+#include "io/polygon/write_shapes.h"
 #include "io/sort.h"
 #include "plane/named_groups.h"
 #include "shared/arguments.h"

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "io/polygon/shape_files.h"
+#include "io/polygon/write_shapes.h"
 #include "rbpa/plane/partial.h"
 #include "stream/record_log.h"
 #include "stream/scratch.h"

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "io/bytes/output_file.h"
-#include "io/polygon/shape_files.h"
+#include "io/polygon/write_shapes.h"
 #include "rbpa/plane/partial.h"
 #include "stream/request.h"
 

@@ -15,7 +15,7 @@
 #include "io/bytes/npy.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
-#include "io/polygon/shape_files.h"
+#include "io/polygon/write_shapes.h"
 #include "io/progress_line.h"
 #include "rbpa/plane/outline_polygons.h"
 #include "rbpa/plane/polygon_of_points.h"

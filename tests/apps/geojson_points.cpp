@@ -8,7 +8,7 @@
 
 #include "io/failure.h"
 #include "io/number.h"
-#include "io/polygon/geojson.h"
+#include "io/polygon/read_geojson.h"
 #include "support/program.h"
 #include "support/refusal_of.h"
 

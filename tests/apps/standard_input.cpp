@@ -7,7 +7,7 @@
 
 #include "io/cloud/read_points.h"
 #include "io/failure.h"
-#include "io/polygon/geojson.h"
+#include "io/polygon/read_geojson.h"
 #include "io/text/signature.h"
 #include "support/gzip.h"
 #include "support/las_file.h"

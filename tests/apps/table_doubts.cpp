@@ -12,7 +12,7 @@
 #include "io/number.h"
 #include "io/text/columns.h"
 #include "io/text/fields.h"
-#include "io/text/written.h"
+#include "io/text/odd_fields.h"
 #include "support/read_table.h"
 
 using namespace apps_test;

@@ -12,8 +12,8 @@
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/number.h"
+#include "io/text/odd_fields.h"
 #include "io/text/vertex_lines.h"
-#include "io/text/written.h"
 
 namespace rbpa::app {
 namespace {

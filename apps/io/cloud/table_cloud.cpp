@@ -19,7 +19,7 @@
 #include "io/polygon/wkt.h"
 #include "io/text/fields.h"
 #include "io/text/line_selection.h"
-#include "io/text/written.h"
+#include "io/text/odd_fields.h"
 #include "io/utf8.h"
 
 namespace rbpa::app {

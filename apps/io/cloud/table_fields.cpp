@@ -8,8 +8,8 @@
 #include "io/failure.h"
 #include "io/number.h"
 #include "io/text/line_selection.h"
+#include "io/text/odd_fields.h"
 #include "io/text/typed_words.h"
-#include "io/text/written.h"
 
 namespace rbpa::app {
 

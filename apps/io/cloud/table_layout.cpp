@@ -11,7 +11,7 @@
 #include "io/formats.h"
 #include "io/text/fields.h"
 #include "io/text/line_selection.h"
-#include "io/text/written.h"
+#include "io/text/odd_fields.h"
 
 namespace rbpa::app {
 namespace {

@@ -8,7 +8,7 @@
 #include "io/cloud/table_lines.h"
 #include "io/formats.h"
 #include "io/interrupt.h"
-#include "io/text/written.h"
+#include "io/text/odd_fields.h"
 
 namespace rbpa::app {
 namespace {

@@ -12,7 +12,7 @@
 #include "io/bytes/output_file.h"
 #include "io/formats.h"
 #include "io/point_columns.h"
-#include "io/polygon/shape_files.h"
+#include "io/polygon/write_shapes.h"
 #include "rbpa/base/point.h"
 
 namespace rbpa::app {

@@ -10,7 +10,7 @@
 
 #include "io/formats.h"
 #include "io/point_file.h"
-#include "io/polygon/shape_files.h"
+#include "io/polygon/write_shapes.h"
 
 namespace rbpa::app {
 

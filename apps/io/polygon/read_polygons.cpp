@@ -6,7 +6,7 @@
 #include "io/bytes/input_bytes.h"
 #include "io/failure.h"
 #include "io/number.h"
-#include "io/polygon/geojson.h"
+#include "io/polygon/read_geojson.h"
 #include "io/polygon/wkt.h"
 #include "io/text/fields.h"
 #include "io/text/lines.h"

@@ -8,7 +8,7 @@
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/number.h"
-#include "io/text/written.h"
+#include "io/text/odd_fields.h"
 #include "io/utf8.h"
 
 namespace rbpa::app {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "io/text/fields.h"
-#include "io/text/written.h"
+#include "io/text/odd_fields.h"
 
 namespace rbpa::app {
 

@@ -8,7 +8,7 @@
 
 #include "io/failure.h"
 #include "io/formats.h"
-#include "io/text/written.h"
+#include "io/text/odd_fields.h"
 
 namespace rbpa::app {
 

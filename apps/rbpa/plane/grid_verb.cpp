@@ -10,7 +10,7 @@
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/number.h"
-#include "io/polygon/height_files.h"
+#include "io/polygon/write_heights.h"
 #include "picture/picture.h"
 #include "plane/segments.h"
 #include "plane/shape_outputs.h"

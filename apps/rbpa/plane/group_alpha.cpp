@@ -9,7 +9,7 @@
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/number.h"
-#include "io/polygon/shape_files.h"
+#include "io/polygon/write_shapes.h"
 #include "io/words.h"
 #include "plane/named_groups.h"
 #include "plane/radii_run.h"

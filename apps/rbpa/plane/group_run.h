@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "io/polygon/shape_files.h"
+#include "io/polygon/write_shapes.h"
 #include "plane/named_groups.h"
 #include "rbpa/plane/groups.h"
 #include "shared/alpha_option.h"

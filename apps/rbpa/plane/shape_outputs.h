@@ -10,7 +10,7 @@
 
 #include "io/crs.h"
 #include "io/polygon/ogr.h"
-#include "io/polygon/shape_files.h"
+#include "io/polygon/write_shapes.h"
 #include "picture/drawing.h"
 #include "shared/run.h"
 

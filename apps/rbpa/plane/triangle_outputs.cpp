@@ -1,7 +1,7 @@
 #include "plane/triangle_outputs.h"
 
 #include "io/polygon/ogr.h"
-#include "io/polygon/shape_files.h"
+#include "io/polygon/write_shapes.h"
 #include "plane/shape_outputs.h"
 
 namespace rbpa::app {

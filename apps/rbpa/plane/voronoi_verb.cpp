@@ -12,7 +12,7 @@
 #include "io/number.h"
 #include "io/polygon/ogr.h"
 #include "io/polygon/read_polygons.h"
-#include "io/polygon/shape_files.h"
+#include "io/polygon/write_shapes.h"
 #include "plane/shape_outputs.h"
 #include "rbpa/base/error.h"
 #include "rbpa/fill/voronoi_cells.h"

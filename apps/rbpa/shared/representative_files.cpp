@@ -12,7 +12,7 @@
 #include "io/interrupt.h"
 #include "io/mesh/vtu.h"
 #include "io/number.h"
-#include "io/polygon/shape_files.h"
+#include "io/polygon/write_shapes.h"
 #include "io/values_at.h"
 #include "rbpa/plane/triangles_by_level.h"
 

@@ -14,7 +14,7 @@
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/number.h"
-#include "io/polygon/shape_files.h"
+#include "io/polygon/write_shapes.h"
 #include "plane/named_groups.h"
 #include "rbpa/plane/collinear.h"
 #include "rbpa/plane/groups.h"

@@ -1,4 +1,4 @@
-#include "io/polygon/geojson.h"
+#include "io/polygon/read_geojson.h"
 
 #include <nlohmann/json.hpp>
 

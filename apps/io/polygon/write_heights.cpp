@@ -1,4 +1,4 @@
-#include "io/polygon/height_files.h"
+#include "io/polygon/write_heights.h"
 
 #include <cmath>
 #include <limits>
@@ -6,7 +6,7 @@
 
 #include "io/bytes/npy.h"
 #include "io/interrupt.h"
-#include "io/polygon/shape_files.h"
+#include "io/polygon/write_shapes.h"
 
 namespace rbpa::app {
 

@@ -1,4 +1,4 @@
-#include "io/text/written.h"
+#include "io/text/odd_fields.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,4 +1,4 @@
-#include "io/polygon/shape_files.h"
+#include "io/polygon/write_shapes.h"
 
 #include <algorithm>
 #include <cmath>
