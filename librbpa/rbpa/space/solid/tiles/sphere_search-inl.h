@@ -1,13 +1,14 @@
 // What: finds the apex of a face at a point of a tile, the fourth corner of the tetrahedron outside of the face.
-// Law:  exact for a Delaunay face: no other point is in the sphere. No apex is found if the sphere may contain points
-//       outside of the tile, or the face is on the hull.
+// Law:  for a Delaunay face, an apex that is found is exact: no other point is in its sphere. No apex is found if no
+//       candidate is outside of the face, as at the hull; if the sphere may contain points outside of the tile; or if
+//       rounding leaves the sphere uncertain (is_certain()).
 // How:  chooses the most probable candidate. If a point may be in the sphere of this candidate, an exact search
 //       continues from it. docs/explanation/space.md, sections 11 to 15.
-#if defined(RBPA_SPACE_TILES_APEX_SEARCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RBPA_SPACE_TILES_APEX_SEARCH_INL_H_
-#undef RBPA_SPACE_TILES_APEX_SEARCH_INL_H_
+#if defined(RBPA_SPACE_TILES_SPHERE_SEARCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RBPA_SPACE_TILES_SPHERE_SEARCH_INL_H_
+#undef RBPA_SPACE_TILES_SPHERE_SEARCH_INL_H_
 #else
-#define RBPA_SPACE_TILES_APEX_SEARCH_INL_H_
+#define RBPA_SPACE_TILES_SPHERE_SEARCH_INL_H_
 #endif
 
 #include <hwy/highway.h>
@@ -27,9 +28,9 @@ HWY_BEFORE_NAMESPACE();
 namespace rbpa::space::HWY_NAMESPACE {
 namespace {
 
-class ApexSearch {
+class SphereSearch {
  protected:
-  ApexSearch(const Spread& spread, double alpha) : beyond_filter_(spread), alpha_(alpha) {}
+  SphereSearch(const Spread& spread, double alpha) : beyond_filter_(spread), alpha_(alpha) {}
 
   /// Prepares a search in a tile. Requires: tile_ has the points in and around `leaf`.
   void start_tile(const Leaf& leaf) {
@@ -105,8 +106,9 @@ class ApexSearch {
     return (m[0] * m[0] + m[1] * m[1] + m[2] * m[2]) * (1 + 0x1p-5) < m[3] * m[3] * (reach_ * reach_);
   }
 
-  /// Sets apex_ and sphere_ to the apex and the sphere of the tetrahedron outside of the face (v, first, second).
-  /// Returns false if no apex is found; apex_ and sphere_ are then unspecified.
+  /// Sets apex_ and sphere_ to the apex and the sphere of the tetrahedron outside of the face (v, first, second): on
+  /// the side from which v, first, second are counter-clockwise. Returns false if no apex is found; apex_ and sphere_
+  /// are then unspecified.
   HWY_INLINE bool find_apex(Local first, Local second) {
     const std::size_t first_at = candidates_.position(first), second_at = candidates_.position(second);
     const Face face(first_at != Candidates::none ? candidates_.spoke(first_at) : spoke(first),

@@ -16,9 +16,9 @@ HWY_BEFORE_NAMESPACE();
 namespace rbpa::space::HWY_NAMESPACE {
 namespace {
 
-class StarSearch : public StarFinder, private ApexSearch {
+class StarSearch : public StarFinder, private SphereSearch {
  public:
-  StarSearch(const Leaves& leaves, const Spread& spread, double alpha) : ApexSearch(spread, alpha), leaves_(leaves) {}
+  StarSearch(const Leaves& leaves, const Spread& spread, double alpha) : SphereSearch(spread, alpha), leaves_(leaves) {}
 
   void find(std::size_t leaf, Stars& found) override {
     found_ = &found;
