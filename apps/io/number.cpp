@@ -12,7 +12,7 @@
 
 namespace rbpa::app {
 
-ParsedNumber parse_extreme_number(const char* first, const char* /*last*/, const char* end) {
+ParsedNumber parse_extreme_number(const char* first, const char* end) {
   // strtod() separates too large from too small; the program never leaves the "C" locale.
   const double value = std::strtod(std::string(first, end).c_str(), nullptr);
   return {value, end, std::isinf(value) ? NumberFault::out_of_range : NumberFault::none};

@@ -24,7 +24,7 @@ struct ParsedNumber {
 
 /// Parses the number from `first` to `end`, which from_chars() reports as out of range. The fault of a number beyond
 /// the largest double is out_of_range; a number too close to zero is rounded.
-ParsedNumber parse_extreme_number(const char* first, const char* last, const char* end);
+ParsedNumber parse_extreme_number(const char* first, const char* end);
 
 /// Doubles represent every integer from -exact_integers to exact_integers.
 constexpr double exact_integers = 0x1p53;
@@ -33,14 +33,15 @@ constexpr double exact_integers = 0x1p53;
 /// `value` is rounded_integer. Requires: the absolute value of `value` is at least exact_integers.
 ParsedNumber parse_large_number(const char* first, const char* end, double value);
 
-/// Parses the longest number that begins at `first`, perhaps with a sign, and rounds it to the nearest double. Integers
-/// that rounding would change have the fault rounded_integer, inf and nan have not_finite.
+/// Parses the longest number that begins at `first`, perhaps with a sign, and rounds it to the nearest double. The
+/// fault is rounded_integer for an integer that rounding would change, not_finite for inf and nan, out_of_range beyond
+/// the largest double, and not_a_number if no number begins there.
 inline ParsedNumber parse_number(const char* first, const char* last) {
   if (last - first > 1 && *first == '+' && first[1] != '-') ++first;
   double value = 0;
   const auto [end, error] = std::from_chars(first, last, value);
   if (error == std::errc::invalid_argument) return {0, first, NumberFault::not_a_number};
-  if (error == std::errc::result_out_of_range) return parse_extreme_number(first, last, end);
+  if (error == std::errc::result_out_of_range) return parse_extreme_number(first, end);
   if (value >= exact_integers || value <= -exact_integers) return parse_large_number(first, end, value);
   const bool finite = value - value == 0;
   return {value, end, finite ? NumberFault::none : NumberFault::not_finite};
