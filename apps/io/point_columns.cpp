@@ -176,7 +176,8 @@ void append_between(std::vector<PointColumn>& columns, std::span<const Point3> p
   for (std::size_t i = 0; i < between.size(); ++i) {
     const Point3& p = points[given + i];
     const auto distance = [&](std::uint32_t of) {
-      return std::hypot(points[of].x - p.x, points[of].y - p.y, points[of].z - p.z);
+      // A quarter of the distance, which cannot overflow.
+      return std::hypot(points[of].x / 4 - p.x / 4, points[of].y / 4 - p.y / 4, points[of].z / 4 - p.z / 4);
     };
     const std::array<std::uint32_t, 3>& around = between[i];
     const std::uint32_t nearest = *std::min_element(

@@ -68,8 +68,8 @@ std::vector<Index> by_shells(const SurfaceComponents& components) {
   for (std::size_t t = triangles; t-- > 0;) first[components.number[t]] = t;
   const auto diagonal = [](const SurfaceComponent& component) {
     const Point3 &low = component.low, &high = component.high;
-    // Halve first, so that extreme coordinates do not overflow.
-    return std::hypot(high.x / 2 - low.x / 2, high.y / 2 - low.y / 2, high.z / 2 - low.z / 2);
+    // A quarter of the diagonal, which cannot overflow.
+    return std::hypot(high.x / 4 - low.x / 4, high.y / 4 - low.y / 4, high.z / 4 - low.z / 4);
   };
   std::vector<Index> order(components.all.size()), rank(components.all.size());
   std::iota(order.begin(), order.end(), Index{0});

@@ -3,12 +3,14 @@
 
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "support/program.h"
 #include "support/spiral.h"
+#include "triangulation/surface_counts.h"
 
 using namespace apps_test;
 using nlohmann::json;
@@ -158,6 +160,15 @@ TEST_SUITE("surface") {
     CHECK(folder.rbpa("surface s.xyz --radius 0.3 --compact -o c.off -q").code == 0);
     CHECK(folder.rbpa("surface s.xyz --radius 0.3 --manifold -o c2.off -q").code == 0);
     CHECK(folder.content("c.off") == folder.content("c2.off"));
+  }
+
+  TEST_CASE("the component with the longest diagonal comes first, also where the diagonals overflow") {
+    const double most = std::numeric_limits<double>::max();
+    rbpa::SurfaceComponents components;
+    components.all.push_back({.triangles = 2, .volume = 1, .low = {-most, -most, 0}, .high = {most, most, 0}});
+    components.all.push_back({.triangles = 1, .low = {-most, -most, -most}, .high = {most, most, most}});
+    components.number = {0, 1, 0};
+    CHECK(rbpa::app::by_shells(components) == std::vector<std::uint32_t>{1, 0, 2});
   }
 
   TEST_CASE("wrong choices of components are refused before anything is read") {

@@ -60,8 +60,8 @@ double height_beside(const Point& at, const std::vector<Segment>& hull, const st
   double least = std::numeric_limits<double>::infinity(), height = 0;
   for (const auto& [a, b] : hull) {
     const double share = share_of_way(points[a], points[b], at);
-    const double away = std::hypot(mixed(points[a].x, points[b].x, share) / 2 - at.x / 2,
-                                   mixed(points[a].y, points[b].y, share) / 2 - at.y / 2);
+    const double away = std::hypot(mixed(points[a].x, points[b].x, share) / 4 - at.x / 4,
+                                   mixed(points[a].y, points[b].y, share) / 4 - at.y / 4);
     if (away >= least) continue;
     least = away;
     height = mixed(z[a], z[b], share);
