@@ -35,7 +35,8 @@ struct SubdivisionOptions {
 };
 
 /// Subdivides a mesh, and moves the places of its vertices. Elements keep their numbers, and new ones follow, with
-/// default values of properties; a vertex keeps all properties but its place. Isolated vertices stay.
+/// default values of properties; a vertex keeps all properties but its place. Isolated vertices stay. A mesh with
+/// faces then has status of every kind.
 /// Requires: a sound mesh of triangles, in which no two edges join the same vertices; `places` has a position for each
 ///           vertex by index, finite if the vertex is not deleted.
 /// Throws:   ContractViolation unless there is one place for each vertex and each face is a triangle. InvalidInput when
@@ -48,11 +49,19 @@ template <meshops::HasPoints AnyMesh>
 void subdivide(AnyMesh& mesh, const SubdivisionOptions& options) {
   using Number = std::remove_cvref_t<decltype(std::declval<AnyMesh&>().point(meshops::Vertex())[0])>;
   std::vector<Point3> places = places_of(mesh);
-  subdivide(mesh, places, options);
-  for (std::size_t v = 0; v < places.size(); ++v)
-    mesh.set_point(
-        meshops::Vertex(static_cast<int>(v)),
-        {static_cast<Number>(places[v].x), static_cast<Number>(places[v].y), static_cast<Number>(places[v].z)});
+  const auto set_points = [&] {
+    for (std::size_t v = 0; v < places.size(); ++v)
+      mesh.set_point(
+          meshops::Vertex(static_cast<int>(v)),
+          {static_cast<Number>(places[v].x), static_cast<Number>(places[v].y), static_cast<Number>(places[v].z)});
+  };
+  try {
+    subdivide(mesh, places, options);
+  } catch (...) {
+    set_points();  // after Cancelled, the mesh has the vertices of the times before
+    throw;
+  }
+  set_points();
 }
 
 }  // namespace rbpa

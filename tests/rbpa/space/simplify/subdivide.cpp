@@ -134,6 +134,9 @@ TEST_CASE("a mesh with points gets new points; meshes and options that do not su
   rbpa::subdivide(mesh, {.times = 1});
   CHECK(mesh.n_faces() == 32);
   CHECK(mesh.point(Vertex(6)).norm() == doctest::Approx(std::sqrt(0.375 * 0.375 * 2)));
+  CHECK_THROWS_AS(rbpa::subdivide(mesh, {.times = 7, .go_on = [] { return false; }}), rbpa::Cancelled);
+  CHECK(mesh.n_faces() > 32);
+  for (const Vertex v : mesh.vertices()) CHECK(mesh.point(v).norm() > 0.3);
 
   SubdividedMesh with(t);
   const auto places = with.places;
