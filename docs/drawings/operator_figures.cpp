@@ -192,7 +192,7 @@ std::string collapse() {
   mark_with_ends(edge, before, h);
   for (const auto& side : {effect.left, effect.right})
     if (side) merged.add(after.mesh.edge_handle(*side));
-  return drawn("Collapse makes one vertex of the two ends of an edge, split parts them", counted(before, edge),
+  return drawn("Collapse makes one vertex of the two ends of an edge, split separates them", counted(before, edge),
                {"collapse", "split_vertex"}, counted(after, merged));
 }
 

@@ -46,7 +46,7 @@ MESHOPS_API std::optional<Blocker> open_curve_blocker(const Connectivity& mesh, 
 
 /// Marks a face as deleted, so that its sides become a boundary curve. Edges and vertices keep their handles.
 /// Δ:        F −1, χ −1, curves +1, others 0.
-/// Requires: open_curve_blocker() is empty; the mesh has face status.
+/// Requires: open_curve_blocker() is empty.
 /// Throws:   ContractViolation; the mesh is then unchanged.
 /// Inverse:  close_curve(curve), except that the face gets a new handle and that the halfedge of a corner may differ.
 /// Cost:     the number of sides; for more than three sides, also the degrees of the corners.

@@ -25,8 +25,8 @@ class Repairer {
     take_faces();
     SoupSides oriented(result_.soup, go_on_);
     if (orient(oriented)) oriented = SoupSides(result_.soup, go_on_);
-    // `oriented` still names the given points after part_fans(), which gives new points to further fans.
-    part_fans(oriented);
+    // `oriented` still names the given points after split_fans(), which gives new points to further fans.
+    split_fans(oriented);
     find_cuts(oriented);
     find_splits();
     std::stable_sort(result_.steps.begin(), result_.steps.end(), [this](const RepairStep& a, const RepairStep& b) {
@@ -38,7 +38,7 @@ class Repairer {
 
   /// Returns whether the two sides of each wall are apart in the result. They may not be if a face of a wall was
   /// reversed, or if the surfaces on both sides are joined elsewhere.
-  bool parts_walls(const Repair& result) const {
+  bool separates_walls(const Repair& result) const {
     return twin_.empty() || (!reverses_wall_ && find_defects(result.soup, go_on_).empty());
   }
 
@@ -140,7 +140,7 @@ class Repairer {
   /// Gives every fan but the first on a point its own point. Faces are joined only at edges where exactly two faces fit
   /// together. Afterwards, the faces at every edge fit together: if unjoined sides still have the same two points, they
   /// are the ends of one fan at each of the points, and run in opposite directions, because the faces of a fan agree.
-  void part_fans(const SoupSides& all) {
+  void split_fans(const SoupSides& all) {
     PolygonSoup& soup = result_.soup;
     auto fans = detail::fans_of(soup, all, fits, go_on_);
     for_each_pair_at_walls(all, [&](const SoupSide& a, const SoupSide& b) {
@@ -218,7 +218,7 @@ std::string describe(const RepairStep& step) {
 Repair repair(const PolygonSoup& soup, const GoOn& go_on) {
   Repairer repairer(soup, true, go_on);
   Repair result = repairer();
-  return repairer.parts_walls(result) ? std::move(result) : Repairer(soup, false, go_on)();
+  return repairer.separates_walls(result) ? std::move(result) : Repairer(soup, false, go_on)();
 }
 
 }  // namespace meshops

@@ -244,7 +244,7 @@ TEST_SUITE("repair") {
         std::size_t closed = 0;
         for (const ComponentReport& piece : now.per_component) closed += piece.boundary_curves == 0;
         CHECK(closed == row.solids);
-        // Points that are merged come with walls as well, which a repair then parts.
+        // Points that are merged come with walls as well, which a repair then separates.
         std::vector<std::uint32_t> least(given.points);
         std::iota(least.begin(), least.end(), 0U);
         const MergedPoints merged = merge_points(given, least);
