@@ -60,9 +60,9 @@ struct AlphaComplex {
 /// Requires: 0 < alpha ≤ infinity; finite points, at most 357,913,941 of them.
 /// Throws:   InvalidInput that names alpha, the number of points or the first point that is not finite, before anything
 ///           is computed; Cancelled.
-/// Cost:     about linear. Memory beyond the input, including that of the result: 60 to 80 bytes a point, with
-///           neighbors 100 to 115 (docs/reference/performance.md, section 3); the full complex needs as much as the
-///           Delaunay triangulation with neighbors.
+/// Cost:     about linear where the density varies little, n log n at worst. Memory beyond the input, including that of
+///           the result: 60 to 80 bytes a point, with neighbors 100 to 115 (docs/reference/performance.md, section 3);
+///           the full complex needs as much as the Delaunay triangulation with neighbors.
 RBPA_API AlphaComplex alpha_complex(std::span<const Point> points, double alpha,
                                     const AlphaComplexOptions& options = {});
 

@@ -56,14 +56,15 @@ struct ContourOptions {
 /// lexicographic order. `values` has a number for each point.
 /// Requires: counter-clockwise triangles with neighbors, as alpha_complex() returns them for any alpha.
 /// Throws:   InvalidInput when there is not one finite value for each point, or the levels are not finite or not
-///           ascending; ContractViolation as require_linked(); Cancelled.
+///           strictly ascending; ContractViolation as require_linked(); Cancelled.
 RBPA_API Contours contours(std::span<const Point> points, const TriangleArrays& triangles,
                            std::span<const double> values, std::span<const double> levels,
                            const ContourOptions& options = {});
 
 /// Returns the multiples of `step` that are above the least and not above the greatest of the values: the levels that
 /// contours() may find.
-/// Throws: InvalidInput when `step` is not a finite number above 0, or there are more than 100,000 such multiples.
+/// Throws: InvalidInput when `step` is not a finite number above 0, or so small that the values are more than 100,000
+///         steps apart or 2^52 steps from 0.
 RBPA_API std::vector<double> levels_every(double step, std::span<const double> values);
 
 }  // namespace rbpa

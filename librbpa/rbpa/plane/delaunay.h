@@ -24,8 +24,9 @@ class RBPA_API Delaunay {
 
   /// Checks and keeps a reference to the result of alpha_complex(points, infinity, {.neighbors = true}), which must
   /// outlive this object and its copies, and stay unchanged. Whether the triangles are Delaunay is not checked.
-  /// Throws: ContractViolation, whose message begins with `function`, when the number of points differs, a triangle is
-  ///         not counter-clockwise, or there are triangles and isolated points; ContractViolation as require_linked(),
+  /// Throws: ContractViolation, whose message begins with `function`, when the number of points differs, duplicates do
+  ///         not ascend or do not follow the points they repeat, a triangle is not counter-clockwise, or there are
+  ///         triangles and isolated points; ContractViolation as require_linked(),
   ///         also if neighbors were not computed; Cancelled.
   /// Cost:   linear: about a tenth of the cost of the triangulation.
   Delaunay(const AlphaComplex& triangulation, std::span<const Point> points, const GoOn& go_on = {},

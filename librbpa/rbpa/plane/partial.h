@@ -125,7 +125,7 @@ RBPA_API Partial merge(Partial&& a, Partial&& b);
 
 /// Removes the finished polygons from `partial` and returns them, sorted by comes_before(); counts do not change. A
 /// polygon that touches an unfinished component at a point stays until it is certain whether this point counts in the
-/// polygon.
+/// polygon. Cost: a sort of the polygons.
 RBPA_API std::vector<CornerPolygon> take_settled(Partial& partial);
 
 /// Holes that were removed from one component.
@@ -139,7 +139,8 @@ struct TakenHoles {
 /// Removes the complete holes of unfinished components from `partial`, and returns them, sorted by component. A
 /// component that spans the plane may have more holes than fit into memory. If the complete holes of a component have
 /// fewer than `min_corners` corners together, the component keeps them: the record that replaces holes takes the memory
-/// of about 100 corners. CornerPolygon::names tells which holes belong to a polygon.
+/// of about 100 corners. CornerPolygon::names tells which holes belong to a polygon. Cost: a sort of the
+/// holes, and a pass over their corners and the shared triangles.
 RBPA_API std::vector<TakenHoles> take_holes(Partial& partial, std::size_t min_corners = 0);
 
 /// The counts and polygons of the complex of the whole plane.
@@ -151,6 +152,7 @@ struct WholeComplex {
 /// Returns the complex of the whole plane.
 /// Throws: InvalidInput that names a missing part of the plane, or a triangle that is missing in a region that contains
 ///         one of its corners.
+/// Cost:   a sort of the polygons.
 RBPA_API WholeComplex finish(Partial&& partial);
 
 }  // namespace rbpa

@@ -50,7 +50,7 @@ struct TrianglesByLevel {
 /// Requires: 0 < alpha ≤ infinity; finite points, at most 357,913,941 of them; a leaf capacity of at least 1.
 /// Throws:   InvalidInput that names alpha, the number of points or the first point that is not finite, before anything
 ///           is computed; ContractViolation when the leaf capacity is 0; Cancelled.
-/// Cost:     about linear; 15 bytes a point more than alpha_complex().
+/// Cost:     memory for 15 bytes a point more than alpha_complex().
 RBPA_API TrianglesByLevel triangles_by_level(std::span<const Point> points, double alpha,
                                              const TrianglesByLevelOptions& options = {});
 

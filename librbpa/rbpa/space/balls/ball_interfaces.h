@@ -5,6 +5,7 @@
 //         groups meet is decided exactly; areas are rounded like those of measure_balls(). Other groups make no
 //         difference to a pair. In a cell that repeats, an image of a ball belongs to the group of the ball, and areas
 //         are those per cell.
+// Cost:   that of measuring each group, and each two groups of which balls are near each other.
 // Source: Lee and Richards, The interpretation of protein structures: estimation of static accessibility (1971).
 #pragma once
 
@@ -39,7 +40,8 @@ struct BallInterfaces {
 /// spheres of two groups are equal, they count for the group of the ball of lower index. The options `contacts` and
 /// `derivatives` are ignored; Progress counts groups, then pairs of groups.
 /// Requires: what measure_ball_frames() requires; one group for each center.
-/// Throws:   what measure_ball_frames() throws.
+/// Throws:   what measure_ball_frames() throws, the balls of a group or of two being a frame; InvalidInput unless there
+///           is one group for each center.
 RBPA_API BallInterfaces ball_interfaces(const BallFrame& balls, std::span<const std::uint32_t> groups,
                                         const MeasureBallsOptions& options = {});
 

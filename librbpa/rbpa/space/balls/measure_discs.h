@@ -79,6 +79,7 @@ struct DiscPolygons {
 /// point, corners may be equal. Holes and components whose corners are all within rounding of each other are left out.
 /// Requires: `measures` is measure_discs() of these discs; corners ≥ 3; fewer than 2^32 corners in all.
 /// Throws:   ContractViolation when this is visibly not so; Cancelled.
+/// Cost:     linear in the corners, and a sort of the holes.
 RBPA_API DiscPolygons disc_polygons(const DiscMeasures& measures, std::span<const Point> centers,
                                     std::span<const double> radii, unsigned corners, const GoOn& go_on = {});
 

@@ -33,10 +33,9 @@ struct PeriodicBallMeasures : BallMeasures {
 
 /// Measures the balls of one cell: volume and area are those of the union of the balls and all images, per cell.
 /// Centers may be outside of the cell. A contact is listed once, at its ball of lower index; the two balls of a contact
-/// may be images of one. Balls that are
-/// equal modulo the cell share their part of the union, as rounding decides.
-/// Requires: what measure_balls() requires; a cell with a volume, whose edges and centers are finite; no radius with
-///           the probe above 50 times the distance of opposite faces.
+/// may be images of one. Balls that are equal modulo the cell share their part of the union, as rounding decides.
+/// Requires: what measure_balls() requires; a cell of finite edges, not nearly in one plane; centers fewer than 2^30
+///           cells away; no radius with the probe above 50 times the distance of opposite faces.
 /// Throws:   InvalidInput that names the violated requirement; what measure_balls() throws; Cancelled.
 RBPA_API PeriodicBallMeasures measure_periodic_balls(std::span<const Point3> centers, std::span<const double> radii,
                                                      const RepeatingCell& cell,

@@ -140,8 +140,8 @@ struct Reconstruction {
 
 /// Reconstructs a surface from points, by the steps that the options request.
 /// Requires: finite points, fewer than 2^32 − 1, and what the steps require of their options.
-/// Throws:   InvalidInput that names the violated requirement; ContractViolation when refining leads to 2^31 points or
-///           triangles; Cancelled.
+/// Throws:   InvalidInput that names the violated requirement; ContractViolation when an option of the decimation is
+///           out of its range, or refining leads to 2^31 points or triangles; Cancelled.
 RBPA_API Reconstruction reconstruct(std::vector<Point3> points, ReconstructionOptions options = {});
 
 /// Replaces each point number i in `made` by number[i]. Arrays keep their order.
