@@ -33,6 +33,9 @@ std::optional<RepeatingCell> cell_of(const Doubles& cells, std::size_t frame) {
   return RepeatingCell{edges[cells.shape(0) == 1 ? 0 : frame]};
 }
 
+/// Returns the number of points to pass to watched(): balls in a cell take long even if they are few.
+std::size_t work_of(std::size_t balls, const Doubles& cells) { return cells.shape(0) > 0 ? long_work : balls; }
+
 /// Measures the balls of each frame: `centers` has shape (frames, n, 3), and `radii` has shape (frames, n), or (1, n)
 /// for all frames; `cells` are those of cell_of(). Arrays of the result that have a row for each ball contain one frame
 /// after another.
@@ -53,7 +56,7 @@ py::dict measured(const Doubles& centers, const Doubles& radii, const Doubles& c
   for (std::size_t f = 0; f < static_cast<std::size_t>(centers.shape(0)); ++f)
     frames.push_back({all.subspan(f * count, count), all_radii.subspan(radii.shape(0) == 1 ? 0 : f * count, count),
                       cell_of(cells, f)});
-  std::vector<PeriodicBallMeasures> made = watched(all.size(), progress, [&](Watch& watch) {
+  std::vector<PeriodicBallMeasures> made = watched(work_of(all.size(), cells), progress, [&](Watch& watch) {
     return measure_ball_frames(frames, {.probe = probe,
                                         .contacts = contacts,
                                         .derivatives = derivatives,
@@ -117,7 +120,7 @@ py::list ball_voids_of(const Doubles& centers, const Doubles& radii, const Doubl
                        unsigned threads) {
   const auto input = points3_of(centers, "centers");
   RegularTriangulation regular;
-  BallVoids made = watched(input.size(), py::none(), [&](Watch& watch) {
+  BallVoids made = watched(work_of(input.size(), cells), py::none(), [&](Watch& watch) {
     if (const auto cell = cell_of(cells, 0))
       return periodic_ball_voids(input, line_of(radii), *cell, {.threads = threads, .progress = watch.progress()});
     regular = regular_triangulation(input, line_of(radii), {.threads = threads, .progress = watch.progress()});
@@ -136,7 +139,7 @@ std::tuple<double, double, double, std::tuple<double, double, double>> pore_size
                                                                                      const Doubles& cells,
                                                                                      unsigned threads) {
   const auto input = points3_of(centers, "centers");
-  const PoreSizes made = watched(input.size(), py::none(), [&](Watch& watch) {
+  const PoreSizes made = watched(work_of(input.size(), cells), py::none(), [&](Watch& watch) {
     return pore_sizes(input, line_of(radii), *cell_of(cells, 0), {.threads = threads, .progress = watch.progress()});
   });
   return {made.included, made.passing, made.on_the_way, {made.along[0], made.along[1], made.along[2]}};
@@ -147,7 +150,7 @@ py::dict ball_interfaces_of(const Doubles& centers, const Doubles& radii, const 
                             unsigned threads) {
   const auto input = points3_of(centers, "centers");
   const std::vector<std::uint32_t> numbers(groups.data(), groups.data() + groups.size());
-  BallInterfaces made = watched(input.size(), py::none(), [&](Watch& watch) {
+  BallInterfaces made = watched(work_of(input.size(), cells), py::none(), [&](Watch& watch) {
     return ball_interfaces({input, line_of(radii), cell_of(cells, 0)}, numbers,
                            {.threads = threads, .progress = watch.progress()});
   });

@@ -270,6 +270,8 @@ def test_progress_counts_frames_and_ends_the_run():
     assert all(of == 40 for _, of in calls)
     with pytest.raises(rbpa.Cancelled):
         rbpa.balls(centers, radii, progress=lambda done, all: False)
+    with pytest.raises(rbpa.Cancelled):  # few balls in a box take long too
+        rbpa.balls(centers[:5], radii[:5], box=1, progress=lambda done, all: False)
 
 
 def test_the_filtration_has_births_and_deaths_of_powers_and_roots():

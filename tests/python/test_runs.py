@@ -55,12 +55,15 @@ SKEW = rbpa.surface(rbpa.read_points(DATA / "findings/scan_hang/skew300.xyz", sp
 FILE = pathlib.Path(tempfile.gettempdir(), f"rbpa_many_{os.getpid()}.csv")
 atexit.register(FILE.unlink)
 np.savetxt(FILE, MANY, "%.17g", ",")
+PACKED = rbpa.balls(np.random.default_rng(2).random((3_000, 3)), np.full(3_000, 0.02), box=1)
+
 LONG_RUNS = {
     "concave_hull": lambda: rbpa.concave_hull(MANY, 0.4 / math.sqrt(len(MANY))),
     "filtered": lambda: DUST.filtered(min_hole_area=math.inf),
     "find_simplex": lambda: TRIANGULATION.find_simplex(np.concatenate([MANY] * 5)),
     "read_points": lambda: rbpa.read_points(FILE),
     "report": MESH.report,
+    "pore_sizes in a box": lambda: (PACKED.__dict__.pop("pore_sizes", None), PACKED.pore_sizes),
     "estimate_normals": lambda: rbpa.estimate_normals(BALL),
     "full_complex": lambda: rbpa.solid(BALL[:30_000] * np.linspace(0.5, 1, 30_000)[:, None], 0.05).full,
     "fill_holes": lambda: SKEW.fill_holes(rims=True),
