@@ -39,8 +39,8 @@ inline void add_fields_option(CLI::App& verb, std::optional<std::string>& fields
 
 inline void add_waters_option(CLI::App& verb, bool& waters) {
   add_switch(verb, "--waters", waters,
-             "Read the atoms of water of a molecule too (by default they are left out, unless --where uses "
-             "resname)");
+             "Read the atoms of water of a molecule too (by default they are left out, except those that "
+             "--where names, as resname == 'HOH')");
 }
 
 /// Adds --radii and --radius-default. `before` and `after` are parts of the help of --radii.

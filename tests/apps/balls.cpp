@@ -241,7 +241,7 @@ TEST_SUITE("balls") {
                                  {"--no-hydrogens", 3, 0, 1, 0, 1, 1},
                                  {"--alternates", 5, 0, 1, 0, 0, 0},
                                  {"--where \"resname == 'HOH'\"", 1, 5, 0, 0, 0, 0},
-                                 {"--where 'x < 2.5' --no-hydrogens", 2, 3, 0, 0, 1, 0}}) {
+                                 {"--where 'x < 2.5' --no-hydrogens", 2, 2, 1, 0, 1, 0}}) {
       CAPTURE(choice.options);
       const Json frame = json_of(folder, "m.pdb " + choice.options)["frames"][0];
       CHECK(frame["atoms_in_file"] == 6);

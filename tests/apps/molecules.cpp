@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/cloud/atom_frames.h"
 #include "io/cloud/read_space_points.h"
 #include "io/failure.h"
 #include "io/text/condition.h"
@@ -312,7 +313,7 @@ TEST_SUITE("molecules") {
     }
   }
 
-  TEST_CASE("atoms of water are left out on request, unless the condition asks for residues") {
+  TEST_CASE("atoms of water are left out on request, unless the condition names them") {
     const std::string water = "HETATM    6  O   HOH B 202       1.000   2.500   3.000  1.00 20.00           O\n";
     const std::string text = pdb.substr(0, pdb.find("ENDMDL")) + water + water;
     rbpa::app::CloudRequest request{.waters = rbpa::app::Waters::left_out};
@@ -323,6 +324,24 @@ TEST_SUITE("molecules") {
           "2 atoms are of water (where \"resname != 'HOH'\" leaves them out)");
     request.where = Condition("resname == 'HOH'", *rbpa::app::fields_of(Format::pdb));
     CHECK(rbpa::app::space_points_in(text, "m", Format::pdb, request).points.size() == 2);
+    struct Choice {
+      std::string where;
+      std::size_t points, lines;
+    };
+    for (const Choice& choice : {Choice{"resname != 'LIG'", 4, 6},
+                                 {"resname in ('LIG', 'HOH')", 2, 2},
+                                 {"resname != 'HOH'", 4, 4},
+                                 {"resname != 'SOL'", 4, 6},
+                                 {"name in ('N', 'O')", 1, 3}}) {
+      CAPTURE(choice.where);
+      request.where = Condition(choice.where, *rbpa::app::fields_of(Format::pdb));
+      CHECK(rbpa::app::space_points_in(text, "m", Format::pdb, request).points.size() == choice.points);
+      CHECK(read(text, Format::pdb, choice.where).points.size() == choice.lines);
+      rbpa::app::AtomFrame frame;
+      rbpa::app::AtomFrames atoms(text, "m", Format::pdb, {.alternates = true, .where = choice.where});
+      REQUIRE(atoms.next(frame));
+      CHECK(frame.rows.size() == choice.points);
+    }
     request.where.reset();
     CHECK_THROWS_WITH(rbpa::app::space_points_in(water, "m", Format::pdb, request),
                       "m: found no atoms but those of water, expected others (--waters reads water too)");

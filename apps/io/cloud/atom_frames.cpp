@@ -188,10 +188,7 @@ void AtomFrames::open(std::string_view bytes) {
   source_ = open_atoms(bytes_, name_, choice_.frames.all || choice_.frames.numbers.back() > 1);
   is_begun_ = source_->next_frame();
   frames_ = 1;
-  if (choice_.where) {
-    selection_.emplace(Condition(*choice_.where, *fields_of(format_)), *source_);
-    choice_.waters = choice_.waters || selection_->names_residues();
-  }
+  if (choice_.where) selection_.emplace(Condition(*choice_.where, *fields_of(format_)), *source_);
   if (choice_.radius || source_->has_radii())
     radius_ = choice_.radius ? source_->column(*choice_.radius) : AtomColumn::radius;
   if (choice_.group) group_ = source_->column(*choice_.group);
@@ -239,6 +236,10 @@ void AtomFrames::read_atoms(AtomFrame& frame) {
     count += is_left_out ? 1 : 0;
     return is_left_out;
   };
+  const auto is_left_out_water = [&](const Atom& atom, const AtomRow& row) {
+    return row.is_water && !choice_.waters &&
+           !(selection_ && selection_->names_residue(atom.fields[AtomColumn::resname]));
+  };
   frame.has_radii = radius_.has_value();
   if (!choice_.frames.all && choice_.frames.numbers.size() == 1) {
     // Growing would touch each row twice. Memory that is reserved and not used is never touched.
@@ -248,8 +249,8 @@ void AtomFrames::read_atoms(AtomFrame& frame) {
   const auto take = [&](const Atom& atom, AtomBatch::Values& values) {
     AtomRow& row = values.row;
     row.index = counts.in_file++;
+    if (leave_out(is_left_out_water(atom, row), counts.waters)) return;
     if (leave_out(selection_ && !selection_->holds(atom), counts.deselected)) return;
-    if (leave_out(row.is_water && !choice_.waters, counts.waters)) return;
     if (leave_out(row.is_hetero && !row.is_water && !choice_.ligands, counts.ligands)) return;
     if (leave_out(!choice_.hydrogens && is_hydrogen(values.element), counts.hydrogens)) return;
     if (values.failure) std::rethrow_exception(values.failure);

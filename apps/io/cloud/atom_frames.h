@@ -86,7 +86,7 @@ FrameChoice parse_frames(const std::string& option, const std::string& text);
 /// The atoms that are read.
 struct AtomChoice {
   FrameChoice frames = {};
-  bool waters = false;      ///< keep the atoms of water, as does a condition that names residues
+  bool waters = false;      ///< keep the atoms of water; `where` decides about residues of water that it names
   bool ligands = true;      ///< keep other atoms of records HETATM
   bool hydrogens = true;    ///< keep hydrogen and its isotopes
   bool alternates = false;  ///< keep all alternate locations

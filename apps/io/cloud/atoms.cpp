@@ -73,15 +73,17 @@ std::vector<std::pair<std::string, std::size_t>> AtomSource::other_columns() con
 
 AtomSelection::AtomSelection(const Condition& where, const AtomSource& source) : source_(source), selection_(where) {
   for (const std::string& field : where.fields()) places_.push_back(source.column(field));
-  for (const Condition::Text& text : where.texts()) {
-    texts_.emplace_back(source.column(text.field), text.text);
-    names_residues_ = names_residues_ || texts_.back().first == AtomColumn::resname;
-  }
+  for (const Condition::Text& text : where.texts()) texts_.emplace_back(source.column(text.field), text.text);
   for (std::size_t k = 0; k < where.columns(); ++k) {
     const WantedColumn::Kind kind = where.column(k).kind;
     is_text_.push_back(kind == WantedColumn::Kind::by_value ? is_text_of_atom(places_[k])
                                                             : kind == WantedColumn::Kind::text);
   }
+}
+
+bool AtomSelection::names_residue(std::string_view name) const {
+  return std::any_of(texts_.begin(), texts_.end(),
+                     [&](const auto& text) { return text.first == AtomColumn::resname && text.second == name; });
 }
 
 bool AtomSelection::holds(const Atom& atom) {

@@ -115,8 +115,8 @@ class AtomSelection {
   AtomSelection(const Condition& where, const AtomSource& source);
 
   bool holds(const Atom& atom);
-  /// Returns whether the condition names residues, so that the condition decides about water.
-  bool names_residues() const { return names_residues_; }
+  /// Returns whether the condition compares residues with this name: it then decides about this residue of water.
+  bool names_residue(std::string_view name) const;
   /// Returns whether the condition's column k holds texts.
   bool is_text(std::size_t k) const { return is_text_[k]; }
   const std::string& text(const Atom& atom, std::size_t k) const { return AtomSource::text(atom, places_[k]); }
@@ -128,7 +128,6 @@ class AtomSelection {
   std::vector<std::size_t> places_ = {};                         // columns of the condition's fields
   std::vector<std::pair<std::size_t, std::string>> texts_ = {};  // columns compared with texts, and the texts
   std::vector<bool> is_text_ = {};
-  bool names_residues_ = false;
   Selection selection_;
 };
 

@@ -56,7 +56,6 @@ class MoleculeCloud final : public Cloud {
       }
     if (!request.where) return;
     selection_.emplace(*request.where, *source_);
-    if (selection_->names_residues()) waters_ = Waters::counted;
     for (std::size_t k = 0; k < request.where->columns(); ++k) {
       facts_.file.texts.emplace_back();
       if (selection_->is_text(k)) facts_.file.texts.back().emplace();
@@ -110,7 +109,8 @@ class MoleculeCloud final : public Cloud {
  private:
   void take(CloudBlock& block) {
     const std::size_t index = atoms_++;
-    const bool is_of_water = is_water(atom_.fields[AtomColumn::resname]);
+    const std::string& residue = atom_.fields[AtomColumn::resname];
+    const bool is_of_water = is_water(residue) && !(selection_ && selection_->names_residue(residue));
     if (is_of_water && waters_ == Waters::left_out) {
       ++water_atoms_;
       return;

@@ -64,7 +64,7 @@ def read(
     where : str, optional
         A condition that selects atoms: "chain == 'A' and resseq < 100".
     waters, ligands, hydrogens, alternates : bool
-        Whether to keep water, other atoms of HETATM, hydrogen, all alternate locations (otherwise the one of the
+        Whether to keep water (`where` decides about the residues of water that it names), other atoms of HETATM, hydrogen, all alternate locations (otherwise the one of the
         highest occupancy in each residue).
     radius : str, optional
         The column of radii; by default that of the file, if there is one.
