@@ -254,6 +254,16 @@ TEST_SUITE("atoms") {
     CHECK(all[2].cell.sides->x == 12);
     CHECK(all[2].number == 3);
     CHECK(warnings == std::vector<std::string>{"frame 2 has 1 atom, frame 1 has 2: is the file whole?"});
+    // Waters that are left out may be more in one frame than in another.
+    const std::string water = pdb_line(" O  ", ' ', "HOH", 2);
+    const std::string wet = pdb_line(" CA ") + water + "ENDMDL\n" + pdb_line(" CA ") + water + water + "ENDMDL\n";
+    for (const auto& [choice, differs] : {std::pair(all_frames, false),
+                                          {AtomChoice{.frames = {.all = true}, .where = "name == 'CA'"}, false},
+                                          {AtomChoice{.frames = {.all = true}, .where = "resname != 'HOH'"}, true},
+                                          {AtomChoice{.frames = {.all = true}, .waters = true}, true}}) {
+      frames_of(wet, Format::pdb, choice, &warnings);
+      CHECK(warnings.empty() != differs);
+    }
     all = frames_of(models, Format::pdb, {.frames = parse_frames("--models", "3,1-2,2")});
     CHECK(all.size() == 3);
     all = frames_of(models, Format::pdb, {.frames = parse_frames("--models", "2")}, &warnings);

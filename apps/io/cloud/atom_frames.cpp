@@ -209,8 +209,9 @@ bool AtomFrames::next(AtomFrame& frame) {
     frame.cell = {};
     frame.number_of("");
     source_ ? read_atoms(frame) : read_points(frame);
-    if (first_.number == 0) first_ = {frame.number, frame.counts.in_file};
-    if (other_.number == 0 && frame.counts.in_file != first_.atoms) other_ = {frame.number, frame.counts.in_file};
+    const std::size_t atoms = frame.counts.in_file - frame.counts.waters;
+    if (first_.number == 0) first_ = {frame.number, atoms};
+    if (other_.number == 0 && atoms != first_.atoms) other_ = {frame.number, atoms};
     return true;
   }
   if (source_) frames_ = source_->frames();
