@@ -8,6 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -125,7 +126,9 @@ TEST_SUITE("balls") {
     const Json& frame = json["frames"].at(0);
     CHECK(frame["atoms"] == 1001);
     CHECK(frame["left_out"]["waters"] == 101);
-    CHECK(frame["area_molecular"].is_null());
+    CHECK(frame.size() == 10);
+    CHECK(frame["cell_volume"].is_null());  // the others have values
+    CHECK(std::count_if(frame.begin(), frame.end(), [](const Json& value) { return value.is_null(); }) == 1);
     const std::vector<Row> rows = rows_of(folder.content("a.csv"));
     REQUIRE(rows.size() == 1001);
     CHECK(sum(rows, "area") == doctest::Approx(frame["area"].get<double>()).epsilon(1e-12));
@@ -514,6 +517,47 @@ TEST_SUITE("balls") {
         CHECK(outcome.err == "rbpa: " + call.says + "\n");
       CHECK(folder.names() == before);
     }
+  }
+
+  TEST_CASE("every key of JSON and every column stands on the page about formats") {
+    const std::string page = read_file(RBPA_TEST_DATA "/../../docs/reference/file_formats.md");
+    std::set<std::string> known, found;
+    std::istringstream quoted(page.substr(page.find("**Balls.**"), page.find("\n## 7.") - page.find("**Balls.**")));
+    for (std::string text; std::getline(quoted, text, '`') && std::getline(quoted, text, '`');) {
+      std::istringstream words(text);
+      for (std::string word; words >> word;) known.insert(word);
+    }
+    const auto add = [&](const Json& json, const auto& self) -> void {
+      for (const auto& [key, value] : json.items()) {
+        if (json.is_object()) found.insert(key);
+        self(value, self);
+      }
+    };
+    const Folder folder("two.csv", "x,y,z,r\n0,0,0,0.3\n0.5,0.5,0.5,0.3\n");
+    const std::string box = "balls two.csv --radii column:r --box 1 --pores --voids v.json --stats s.json --json -q";
+    add(Json::parse(folder.rbpa(box, 0).out), add);
+    REQUIRE(folder.rbpa("balls " + lysozyme + " --probe 1.4 --models all --voids w.json --pockets p.json -q").code ==
+            0);
+    for (const std::string file : {"s.json", "v.json", "w.json", "p.json"}) add(Json::parse(folder.content(file)), add);
+    for (const std::string& options : {std::string(), std::string(" --group residue")}) {
+      REQUIRE(folder
+                  .rbpa("balls " + lysozyme +
+                        " --probe 1.4 --models all -o a.csv --contacts c.csv --voids v.csv "
+                        "--pockets p.csv -q" +
+                        options)
+                  .code == 0);
+      for (const std::string file : {"a.csv", "c.csv", "v.csv", "p.csv"}) {
+        std::istringstream lines(folder.content(file));
+        std::string head;
+        std::getline(lines, head);
+        for (std::string column : fields_of(head)) {
+          if (file == "c.csv" && (column.ends_with("_a") || column.ends_with("_b"))) column.resize(column.size() - 2);
+          found.insert(column);
+        }
+      }
+    }
+    CHECK(found.size() > 50);
+    for (const std::string& key : found) CHECK_MESSAGE(known.contains(key), key);
   }
 
   TEST_CASE("--stats has times, and standard input and output are read and written") {

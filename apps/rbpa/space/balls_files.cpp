@@ -201,9 +201,7 @@ Json json_of(double probe, const BallRadii& radii, const std::vector<BallTotals>
                                 {"volume", frame.volume},
                                 {"area", frame.area},
                                 {"volume_vdw", frame.volume_without_probe},
-                                {"area_vdw", frame.area_without_probe},
-                                {"volume_molecular", nullptr},  // not computed
-                                {"area_molecular", nullptr}});
+                                {"area_vdw", frame.area_without_probe}});
     if (frame.pores)
       report["frames"].back()["pores"] = {{"radius_included", frame.pores->included},
                                           {"radius_passing", frame.pores->passing},
