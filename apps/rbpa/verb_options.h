@@ -187,6 +187,9 @@ void add_output_options(CLI::App& verb, Arguments& arguments, std::string_view f
             "Set the format of each OUT whose ending does not tell");
 }
 
+/// Returns the endings of a table to write, for help.
+inline std::string table_endings(Use use) { return endings(use) + "; - is csv on standard output"; }
+
 /// Help of --quiet in verbs that print a summary.
 inline constexpr const char* quiet_about_summary = "Print no progress, no warnings about the input, and no summary";
 

@@ -148,7 +148,7 @@ CLI::App* add_solid(CLI::App& app, SolidArguments& arguments) {
       ".glb, which are in single precision. Print the shift, and write it into the header of .stl; the "
       "node of .glb moves the mesh back to its place");
   add_value(verb, "--voids", arguments.voids, "FILE",
-            "Write each void, the largest first: " + endings(Use::voids) +
+            "Write each void, the largest first: " + table_endings(Use::voids) +
                 ". obj has a closed surface in a group of its own for each void; json has the input indices of "
                 "its points and triangles, and the names of atoms in a molecule's file. "
                 "volume_between_points is the volume of its tetrahedra, volume_outside_balls the part at least "
@@ -216,22 +216,22 @@ CLI::App* add_balls(CLI::App& app, BallsArguments& arguments) {
   add_value(verb, "--contacts", arguments.contacts, "FILE",
             "Write the contacts of balls, a row for each pair: area of the disc that both share, length of its "
             "arcs on the surface (0 if there are none), distance of the centers: " +
-                endings(Use::rows));
+                table_endings(Use::rows));
   add_value(verb, "--interfaces", arguments.interfaces, "FILE",
             "Write a row for each two groups of --group that meet: the area of the surface of each, alone, that "
             "the other one covers, and the area of the contacts between them: " +
-                endings(Use::rows));
+                table_endings(Use::rows));
   add_value(
       verb, "--voids", arguments.voids, "FILE",
       "Write the voids that the balls with the probe enclose, the largest first: volume of their tetrahedra "
       "and outside of the balls, area, center and radius of the largest ball that fits in, input indices of "
       "the atoms around; with --box, csv and json have the number of directions in which each percolates; obj has "
       "the surface of the tetrahedra, pml and cxc are scripts for PyMOL and ChimeraX: " +
-          endings(Use::lined));
+          table_endings(Use::lined));
   add_value(verb, "--pockets", arguments.pockets, "FILE",
             "Write the pockets in the same way, with the number of their mouths, the area of these, and the radius "
             "of the largest ball that fits into one: " +
-                endings(Use::lined));
+                table_endings(Use::lined));
   add_switch(
       verb, "--pores", arguments.pores,
       "Add to summary and JSON the radii of the largest ball that fits in between the balls without the probe, of "

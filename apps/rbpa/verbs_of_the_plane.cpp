@@ -42,7 +42,7 @@ CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments) {
             "Search near each edge, or as in the published paper (slow); the result is the same");
   add_value(verb, "--levels", arguments.levels, "FILE",
             "Write the number of triangles made on each level of hrbpa, and the topology after it: " +
-                endings(Use::levels) + "; - is csv on standard output");
+                table_endings(Use::levels));
   add_width_option(verb, arguments.width);
   add_run_options(verb, arguments.run);
   return with_footer(

@@ -569,5 +569,13 @@ TEST_SUITE("balls") {
     REQUIRE(folder.rbpa("balls " + lysozyme + " -o a.csv -q").code == 0);
     const Outcome outcome = folder.rbpa("balls - --format pdb -o - --output-format csv -q < " + lysozyme, 0);
     CHECK(outcome.out == folder.content("a.csv"));
+    for (const std::string call :
+         {"balls --probe 1.4 -o ", "balls --probe 1.4 --contacts ", "balls --probe 1.4 --voids ",
+          "balls --probe 1.4 --pockets ", "balls --group chain --interfaces ", "solid --alpha 3.1 --voids ",
+          "solid --alpha 3.1 --pockets "}) {
+      CAPTURE(call);
+      REQUIRE(folder.rbpa(call + "t.csv -q " + lysozyme).code == 0);
+      CHECK(folder.rbpa(call + "- -q " + lysozyme, 0).out == folder.content("t.csv"));
+    }
   }
 }

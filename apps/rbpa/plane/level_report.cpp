@@ -89,7 +89,7 @@ void write_json(OutputFile& file, const Hierarchy& hierarchy, const Method& meth
 
 Format parse_levels(const std::string& path, const Method& method) {
   if (!method.leaf_capacity) throw WrongUsage("--levels requires --method hrbpa");
-  return path == "-" ? Format::csv : target_of("--levels", path, Use::levels).format;
+  return target_of("--levels", path, Use::levels).format;
 }
 
 void write_levels(OutputFile& file, Format format, const Hierarchy& hierarchy, const Method& method) {

@@ -25,6 +25,12 @@ std::string way_to_write(Use use, const std::string& path) {
          ", then " + (is_grid ? "gdal_translate " + first + " " + path : "ogr2ogr " + path + " " + first) + ")";
 }
 
+/// Returns the format on standard output, if no option sets one: that of tables is csv.
+std::optional<Format> format_of_stream(Use use) {
+  constexpr unsigned tables = Use::rows | Use::levels | Use::voids | Use::lined;
+  return (tables & static_cast<unsigned>(use)) != 0 ? std::optional(Format::csv) : std::nullopt;
+}
+
 std::vector<Target> targets_of(Use use, const OutputArguments& arguments, bool any_report) {
   const std::string known_formats = endings(use);
   std::optional<Format> otherwise;
@@ -38,6 +44,7 @@ std::vector<Target> targets_of(Use use, const OutputArguments& arguments, bool a
     if (path.empty()) bad_usage("-o", "an empty name", "a path or -");
     std::optional<Format> known = path == "-" ? std::nullopt : find_format(use, ending(path));
     if (!known) known = otherwise;
+    if (!known && path == "-") known = format_of_stream(use);
     if (!known && path == "-") throw WrongUsage("-o - requires --output-format: " + one_of(known_formats));
     if (!known) refuse_ending(path, known_formats, "--output-format" + way_to_write(use, path));
     targets.push_back({path, *known});
@@ -194,9 +201,11 @@ std::optional<Shift> parse_shift_of(const std::optional<std::string>& text, cons
 }
 
 Target target_of(const std::string& option, const std::string& path, Use use, bool (*fits)(Format)) {
-  const std::optional<Format> format = find_format(use, ending(path));
+  const bool is_stream = path == "-";
+  const std::optional<Format> format = is_stream ? format_of_stream(use) : find_format(use, ending(path));
   if (!format || (fits && !fits(*format)))
-    bad_usage(option, "the ending " + in_quotes(ending(path)), one_of(endings(use, fits)));
+    bad_usage(option, is_stream ? "standard output" : "the ending " + in_quotes(ending(path)),
+              (is_stream ? "a file: " : "") + one_of(endings(use, fits)));
   return {path, *format};
 }
 

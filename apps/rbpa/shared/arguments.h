@@ -104,7 +104,7 @@ std::vector<std::string> fields_left_out(const std::vector<PointColumn>& columns
 /// Parses --shift; returns nothing if it is not given. Throws WrongUsage unless a target is in single precision.
 std::optional<Shift> parse_shift_of(const std::optional<std::string>& text, const std::vector<Target>& targets);
 
-/// Returns the file that `option` names, with its format given by the ending. Throws WrongUsage unless the format
+/// Returns the file that `option` names, with its format given by the ending; - is csv if `use` has tables. Throws WrongUsage unless the format
 /// belongs to `use` and fits() is true for it.
 Target target_of(const std::string& option, const std::string& path, Use use, bool (*fits)(Format) = nullptr);
 
