@@ -230,7 +230,7 @@ CLI::App* add_balls(CLI::App& app, BallsArguments& arguments) {
           table_endings(Use::lined));
   add_value(verb, "--pockets", arguments.pockets, "FILE",
             "Write the pockets in the same way, with the number of their mouths, the area of these, and the radius "
-            "of the largest ball that fits into one: " +
+            "of the largest ball that fits into one; not with --box, which has no outside to open to: " +
                 table_endings(Use::lined));
   add_switch(
       verb, "--pores", arguments.pores,

@@ -128,7 +128,10 @@ TEST_SUITE("balls in a box") {
         {"two.csv --radii column:r --box 0.01", "two.csv: radius 0 is 1, expected at most 50 times the distance"},
         {"two.pdb --box auto", "two.pdb: found no cell in frame 1, expected a cell for --box auto"},
         {"flat.dump --radius-default 1 --box auto", "flat.dump: found BOX BOUNDS without a volume"},
-        {"two.pdb --box 9 --pockets p.csv", "--pockets cannot be combined with --box"},
+        {"two.pdb --box 9 --pockets p.csv",
+         "--pockets cannot be combined with --box, which has no outside to open to (--voids has what percolates; "
+         "without "
+         "--box, molecules that are whole have pockets)"},
         {"two.pdb --pores", "--pores requires --box"},
         {"two.pdb --box 9 --voids v.obj", "--voids: found the ending 'obj', expected one of json, csv"},
         {"flat.csv --radii column:r --box 1,1,3000 --voids v.csv", "flat.csv: found a cell so flat"}};

@@ -371,7 +371,8 @@ class Balls(Result):
     @cached_property
     def pockets(self) -> Any:
         """The pockets of the balls with the probe, with their mouths, in the form of `voids`. Computed at the first
-        access."""
+        access. A box that repeats has no outside to which pockets open, and InvalidInput is raised: what is open there
+        is in `voids`."""
         self._require_no_box("pockets")
         return self._found(True)
 

@@ -65,7 +65,9 @@ BallsRequest parse(const BallsArguments& arguments) {
   if (arguments.box) {
     const bool may_have_lattice = request.format == Format::text || request.format == Format::by_content;
     request.box = *arguments.box == "auto" && may_have_lattice ? UnitCell() : parse_box(*arguments.box, request.format);
-    refuse_given({{arguments.pockets.has_value(), "--pockets"}}, "cannot be combined with --box");
+    refuse_given({{arguments.pockets.has_value(), "--pockets"}},
+                 "cannot be combined with --box, which has no outside to open to (--voids has what percolates; without "
+                 "--box, molecules that are whole have pockets)");
   }
   if (arguments.pores && !arguments.box) throw WrongUsage("--pores requires --box");
   if (arguments.group) request.groups = parse_groups(*arguments.group, request.choice);
