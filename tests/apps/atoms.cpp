@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -525,6 +526,16 @@ TEST_SUITE("atoms") {
           "m:2: found element 'Fe' of atom FE of residue HEM A 154, expected one with a radius of Bondi or Mantina "
           "(--radii FILE names its radius, --radius-default R is for all without one)");
     CHECK(BallRadii("bondi", 2.0).of(iron, "m") == std::vector<double>{1.7, 2});
+    for (const auto& [nameless, format, place] :
+         {std::tuple("data_x\nloop_\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n1 2 3\n", Format::cif,
+                     "m:6: found no element of atom 0, "),
+          {"data_x\nloop_\n_atom_site.label_comp_id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n"
+           "LIG 1 2 3\n",
+           Format::cif, "m:7: found no element of atom 0 of residue LIG, "},
+          {"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp pp\n0 9\n0 9\n0 9\nITEM: ATOMS x y z\n"
+           "1 2 3\n",
+           Format::dump, "m:10: found no element of atom 0, "}})
+      CHECK(refusal_of([&] { BallRadii("bondi").of(frame_of(nameless, format), "m"); }).starts_with(place));
     CHECK(refusal_of([&] { BallRadii("protor").of(frame_of(pdb_line(" HA "), Format::pdb), "m"); }) ==
           "m:1: found hydrogen, atom HA of residue ALA A 1, expected none, as ProtOr's radii include it "
           "(--no-hydrogens)");

@@ -104,7 +104,7 @@ std::pair<double, std::string_view> BallRadii::find(const AtomFrame& frame, cons
   if (const Element* const element = find_element(symbol); element != nullptr && element->radius > 0)
     return {element->radius, is_of_mantina(symbol) ? "Mantina" : "Bondi"};
   if (otherwise_) return {*otherwise_, "default"};
-  if (symbol.empty() && of_atom.empty())
+  if (atom.line == 0 && symbol.empty() && of_atom.empty())
     bad_input(name, "points without radii", "radii (--radii column:NAME, or --radius-default R)");
   bad_input(where, (symbol.empty() ? "no element" : "element " + in_quotes(symbol)) + " of " + frame.title(atom),
             "one with a radius of Bondi or Mantina (--radii FILE names its radius, --radius-default R is for all "
