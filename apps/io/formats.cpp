@@ -76,7 +76,9 @@ bool is_gzip_name(std::string_view path) { return path.ends_with(".gz") || path.
 
 std::string_view input_ending(std::string_view path) {
   if (is_gzip_name(path)) path.remove_suffix(3);
-  return ending(path);
+  const std::string_view found = ending(path), pdb = found.substr(0, 3);
+  const bool is_assembly = same_letters(pdb, "pdb") && std::all_of(found.begin() + 3, found.end(), is_digit);
+  return is_assembly ? pdb : found;
 }
 
 std::string one_of(std::string_view known) {

@@ -189,6 +189,7 @@ std::string_view ending(std::string_view path);
 bool is_gzip_name(std::string_view path);
 
 /// Returns the ending of a file name without its dot and without ".gz" after it: "csv" for "points.csv.gz".
+/// Biological assemblies of the Protein Data Bank, .pdb1 and so on, have the ending pdb.
 std::string_view input_ending(std::string_view path);
 
 /// Returns "one of csv, json", or "csv" alone.

@@ -198,8 +198,9 @@ CLI::App* add_balls(CLI::App& app, BallsArguments& arguments) {
             "Add R to each radius: 1.4 for water, if lengths are in angstroms; areas are then accessible to the "
             "center of the probe");
   add_ball_radii_options(verb, arguments, "Take", " (default: those of the file, if it has some, else bondi)");
-  add_value(verb, "--models", arguments.models, "all|1,3,10-20",
-            "Measure these models, or frames, of the file: numbers from 1 (default 1). Rows have their frame if "
+  add_value(verb, "--models", arguments.models, "all|1,3,10-20|FIRST:LAST:STEP",
+            "Measure these models, or frames, of the file: numbers from 1 (default 1); 1:1000:10 and, to the end of "
+            "the file, 1::10 are every tenth. Rows have their frame if "
             "there may be several");
   add_value(verb, "--box", arguments.box, "LX,LY,LZ|A,B,C,ALPHA,BETA,GAMMA|auto",
             "Measure the balls of a box that repeats with all their images, per box: its sides, one length for "

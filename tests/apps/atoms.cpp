@@ -273,9 +273,25 @@ TEST_SUITE("atoms") {
     CHECK(warnings == std::vector<std::string>{"the atoms are those of frame 2 of 3"});
     CHECK(refusal(models, Format::pdb, {.frames = parse_frames("--models", "2,4")}) ==
           "m: found 3 frames, expected frame 4");
-    for (const std::string text : {"", "0", "1,", "2-1", "x", "1,,2", "-1"})
+    for (const std::string text :
+         {"", "0", "1,", "2-1", "x", "1,,2", "-1", ":", ":2", "2:1", "1:3:0", "1:2:3:4", "1-2-3", "1,1:3"})
       CHECK(refusal_of([&] { parse_frames("--models", text); }) ==
-            "--models: found '" + text + "', expected all, or numbers from 1 such as 1,3,10-20");
+            "--models: found '" + text +
+                "', expected all, numbers from 1 such as 1,3,10-20, or FIRST:LAST:STEP such as 1:1000:10");
+    for (const auto& [text, read] : {std::pair("1:3:2", "1 3 "),
+                                     {"1:3", "1 2 3 "},
+                                     {"2::1", "2 3 "},
+                                     {"1::2", "1 3 "},
+                                     {"3:", "3 "},
+                                     {"2:2:9", "2 "}}) {
+      CAPTURE(text);
+      std::string numbers;
+      for (const AtomFrame& one : frames_of(models, Format::pdb, {.frames = parse_frames("--models", text)}))
+        numbers += std::to_string(one.number) + " ";
+      CHECK(numbers == read);
+    }
+    CHECK(refusal(models, Format::pdb, {.frames = parse_frames("--models", "4::2")}) ==
+          "m: found 3 frames, expected frame 4");
 
     const std::string names =
         "data_x\nloop_\n_atom_site.label_atom_id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n"

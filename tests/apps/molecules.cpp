@@ -1,6 +1,8 @@
 // Atoms of PDB and PDBx/mmCIF files as points in space.
 #include <doctest/doctest.h>
 
+#include <cstdlib>
+#include <filesystem>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -403,11 +405,18 @@ TEST_SUITE("molecules") {
   }
 
   TEST_CASE("the program reads molecules by their endings, compressed or not") {
-    const Folder folder({{"m.pdb", pdb}, {"m.ent", pdb}, {"m.cif", cif}});
+    const Folder folder({{"m.pdb", pdb}, {"m.ent", pdb}, {"m.pdb1", pdb}, {"m.PDB12", pdb}, {"m.cif", cif}});
     CHECK(folder.rbpa("solid m.pdb --alpha inf -o t.npy")
               .err.find("rbpa: m.pdb: the atoms are those of the first of 2 models\n") == 0);
-    CHECK(folder.rbpa("solid m.ent --alpha inf -o u.npy -q").code == 0);
-    CHECK(folder.content("t.npy") == folder.content("u.npy"));
+    std::filesystem::copy_file(folder.path("m.pdb1"), folder.path("m.pdb2"));
+    REQUIRE(std::system(("gzip " + folder.path("m.pdb2")).c_str()) == 0);
+    for (const std::string name : {"m.ent", "m.pdb1", "m.PDB12", "m.pdb2.gz"}) {
+      CAPTURE(name);
+      CHECK(folder.rbpa("solid " + name + " --alpha inf -o u.npy -q").code == 0);
+      CHECK(folder.content("t.npy") == folder.content("u.npy"));
+    }
+    folder.file("m.pdbx1", pdb);
+    CHECK(folder.rbpa("solid m.pdbx1 --alpha inf -o u.npy").code == 2);
     const std::string water = "HETATM    6  O   HOH B 202       1.000   2.500   3.000  1.00 20.00           O\n";
     folder.file("wet.pdb", pdb.substr(0, pdb.find("ENDMDL")) + water);
     CHECK(contains(folder.rbpa("solid wet.pdb --alpha inf -o t.npy").err,

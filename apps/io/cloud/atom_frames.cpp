@@ -147,19 +147,49 @@ std::string AtomFrame::title(const AtomRow& row) const {
   return shown(title);
 }
 
+bool FrameChoice::has(std::size_t number) const {
+  if (!all) return std::binary_search(numbers.begin(), numbers.end(), number);
+  return number >= first && (number - first) % step == 0;
+}
+
 FrameChoice parse_frames(const std::string& option, const std::string& text) {
+  constexpr std::size_t most = 10'000'000;
   if (text == "all") return {.all = true};
   FrameChoice choice{.numbers = {}};
-  for (std::size_t at = 0, comma = 0; at <= text.size(); at = comma + 1) {
-    comma = std::min(text.find(',', at), text.size());
-    const std::string_view part = std::string_view(text).substr(at, comma - at);
-    const std::size_t dash = std::min(part.find('-'), part.size());
-    const auto first = parse_count(part.substr(0, dash));
-    const auto last = dash == part.size() ? first : parse_count(part.substr(dash + 1));
-    constexpr std::size_t most = 10'000'000;
-    if (!first || !last || *first < 1 || *last < *first || *last > most)
-      throw WrongUsage(option + ": found " + in_quotes(text) + ", expected all, or numbers from 1 such as 1,3,10-20");
-    for (std::size_t number = *first; number <= *last; ++number) choice.numbers.push_back(number);
+  const auto require = [&](bool is_right) {
+    if (!is_right)
+      bad_usage(option, in_quotes(text), "all, numbers from 1 such as 1,3,10-20, or FIRST:LAST:STEP such as 1:1000:10");
+  };
+  const auto number = [&](std::string_view word) {
+    const auto found = parse_count(word);
+    require(found && *found >= 1 && *found <= most);
+    return *found;
+  };
+  const auto parts_of = [](std::string_view all, char separator) {
+    std::vector<std::string_view> parts;
+    for (std::size_t at = 0, end = 0; at <= all.size(); at = end + 1) {
+      end = std::min(all.find(separator, at), all.size());
+      parts.push_back(all.substr(at, end - at));
+    }
+    return parts;
+  };
+  const auto add = [&](std::string_view first, std::string_view last, std::string_view step) {
+    const std::size_t end = number(last), by = number(step);
+    std::size_t i = number(first);
+    require(i <= end);
+    for (; i <= end; i += by) choice.numbers.push_back(i);
+  };
+  if (std::vector<std::string_view> parts = parts_of(text, ':'); parts.size() > 1) {
+    require(parts.size() <= 3);
+    parts.resize(3, "1");
+    if (parts[1].empty()) return {.all = true, .first = number(parts[0]), .step = number(parts[2])};
+    add(parts[0], parts[1], parts[2]);
+    return choice;
+  }
+  for (const std::string_view part : parts_of(text, ',')) {
+    const std::vector<std::string_view> ends = parts_of(part, '-');
+    require(ends.size() <= 2);
+    add(ends.front(), ends.back(), "1");
   }
   std::sort(choice.numbers.begin(), choice.numbers.end());
   return choice;
@@ -185,7 +215,7 @@ void AtomFrames::open(std::string_view bytes) {
   OpenAtoms open_atoms = atoms_of(format_);
   if (format_ == Format::text && find_xyz_atoms(bytes_, true)) open_atoms = xyz_atoms;
   if (open_atoms == nullptr) return;
-  source_ = open_atoms(bytes_, name_, choice_.frames.all || choice_.frames.numbers.back() > 1);
+  source_ = open_atoms(bytes_, name_, choice_.frames.all || choice_.frames.required() > 1);
   is_begun_ = source_->next_frame();
   frames_ = 1;
   if (choice_.where) selection_.emplace(Condition(*choice_.where, *fields_of(format_)), *source_);
@@ -195,14 +225,10 @@ void AtomFrames::open(std::string_view bytes) {
 }
 
 bool AtomFrames::next(AtomFrame& frame) {
-  const auto wants = [&] {
-    const std::vector<std::size_t>& numbers = choice_.frames.numbers;
-    return choice_.frames.all || std::binary_search(numbers.begin(), numbers.end(), frames_);
-  };
   while (is_begun_ || (source_ ? source_->next_frame() : frames_ == 0)) {
     frames_ += is_begun_ ? 0 : 1;
     is_begun_ = false;
-    if (!wants()) continue;
+    if (!choice_.frames.has(frames_)) continue;
     frame.number = frames_;
     frame.rows.clear();
     frame.counts = {};
@@ -215,13 +241,12 @@ bool AtomFrames::next(AtomFrame& frame) {
     return true;
   }
   if (source_) frames_ = source_->frames();
-  const std::size_t last = choice_.frames.numbers.back();
-  if (!choice_.frames.all && last > frames_)
-    bad_input(name_, counted(frames_, "frame"), "frame " + std::to_string(last));
+  const std::size_t last = choice_.frames.required();
+  if (last > frames_) bad_input(name_, counted(frames_, "frame"), "frame " + std::to_string(last));
   if (!source_ || !warnings_.empty()) return false;
   if (source_->blocks() > 1)
     warnings_.push_back("the atoms are those of the first of " + std::to_string(source_->blocks()) + " blocks of data");
-  if (frames_ > 1 && !choice_.frames.all && choice_.frames.numbers.size() == 1)
+  if (frames_ > 1 && !choice_.frames.may_have_several())
     warnings_.push_back("the atoms are those of frame " + std::to_string(last) + " of " + std::to_string(frames_));
   if (other_.number != 0)
     warnings_.push_back("frame " + std::to_string(other_.number) + " has " + counted(other_.atoms, "atom") +
@@ -242,7 +267,7 @@ void AtomFrames::read_atoms(AtomFrame& frame) {
            !(selection_ && selection_->names_residue(atom.fields[AtomColumn::resname]));
   };
   frame.has_radii = radius_.has_value();
-  if (!choice_.frames.all && choice_.frames.numbers.size() == 1) {
+  if (!choice_.frames.may_have_several()) {
     // Growing would touch each row twice. Memory that is reserved and not used is never touched.
     constexpr std::size_t least_line = 32, most_rows = 10'000'000;
     meshops::reserve_in_large_pages(frame.rows, std::min(bytes_.size() / least_line, most_rows));

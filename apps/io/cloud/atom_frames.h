@@ -77,10 +77,17 @@ struct AtomFrame {
 /// The frames that are read.
 struct FrameChoice {
   bool all = false;
+  std::size_t first = 1, step = 1;         ///< if `all`: the first frame, and the step to the next one
   std::vector<std::size_t> numbers = {1};  ///< from 1, ascending; ignored if `all`
+
+  bool has(std::size_t number) const;
+  bool may_have_several() const { return all || numbers.size() > 1; }
+  /// Returns the number of a frame that must be in the file: the last one, or that of `first` if `all`.
+  std::size_t required() const { return all ? first : numbers.back(); }
 };
 
-/// Parses "all", or numbers and ranges from 1: "1,3,10-20". Throws WrongUsage.
+/// Parses "all", numbers and ranges from 1, "1,3,10-20", or "FIRST:LAST:STEP", of which LAST, or LAST and STEP, may be
+/// missing: "1::10" are all frames from the first in steps of ten. Throws WrongUsage.
 FrameChoice parse_frames(const std::string& option, const std::string& text);
 
 /// The atoms that are read.

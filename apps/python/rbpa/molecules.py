@@ -59,7 +59,7 @@ def read(
     ----------
     path : path
     models : int, sequence of int, or str
-        The models, or frames, counted from 1, or "all"; all must have the same atoms. Those of dumps may have another order. Unless this is an int, positions
+        The models, or frames, counted from 1, or "all", or "1::10" for every tenth; all must have the same atoms. Those of dumps may have another order. Unless this is an int, positions
         have a first axis for frames.
     where : str, optional
         A condition that selects atoms: "chain == 'A' and resseq < 100".

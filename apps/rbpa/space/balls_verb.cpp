@@ -155,7 +155,7 @@ void BallsRun::begin_tables(const AtomFrame& first) {
   require_groups(first);
   warn_of_parted_residues(first);
   are_atoms_ = first.rows.front().line > 0;
-  has_frames_ = request_.choice.frames.all || request_.choice.frames.numbers.size() > 1;
+  has_frames_ = request_.choice.frames.may_have_several();
   const auto begin = [&](const std::string& path, BallRows::Of of) {
     tables_.emplace_back(files().add(path), of, request_.groups, request_.choice.group.value_or(""), has_frames_,
                          texts_, are_atoms_, request_.box.has_value());
