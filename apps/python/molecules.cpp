@@ -154,7 +154,7 @@ py::dict read_atoms(const py::bytes& path, const MaybeText& format, const std::s
       left_out[name] = first.counts.*count;
     for (const auto& [name, text] : {std::pair("elements", &AtomRow::element),
                                      {"names", &AtomRow::name},
-                                     {"residues", &AtomRow::resname},
+                                     {"residue_names", &AtomRow::resname},
                                      {"insertion_codes", &AtomRow::icode},
                                      {"chains", &AtomRow::chain}})
       columns[name] = texts_of(first, text);

@@ -94,7 +94,7 @@ def test_the_program_has_the_same_rows(program, tmp_path):
     made = rbpa.balls(atoms, "bondi", 1.4)
     assert numpy.array_equal(table["area"], made.areas) and numpy.array_equal(table["volume"], made.volumes)
     assert numpy.array_equal(table["radius"], made.radii)
-    assert numpy.array_equal(table["name"], atoms.names) and numpy.array_equal(table["resname"], atoms.residues)
+    assert numpy.array_equal(table["name"], atoms.names) and numpy.array_equal(table["resname"], atoms.residue_names)
     assert numpy.array_equal(contacts["area"], made.contacts.areas)
     assert numpy.array_equal(contacts["point_b"], made.contacts.balls[:, 1])
 
@@ -102,7 +102,7 @@ def test_the_program_has_the_same_rows(program, tmp_path):
 def test_atoms_are_columns_and_can_be_selected():
     atoms = rbpa.molecules.read(LYSOZYME)
     assert len(atoms) == 1001 and atoms.positions.shape == (1001, 3) and atoms.left_out["waters"] == 101
-    assert (atoms.elements[0], atoms.names[0], atoms.residues[0], atoms.residue_numbers[0], atoms.chains[0]) == ("N", "N", "LYS", 1, "A")
+    assert (atoms.elements[0], atoms.names[0], atoms.residue_names[0], atoms.residue_numbers[0], atoms.chains[0]) == ("N", "N", "LYS", 1, "A")
     assert len(rbpa.molecules.read(LYSOZYME, waters=True)) == 1102
     assert len(rbpa.molecules.read(LYSOZYME, where="name == 'CA'")) == 129
     alpha = atoms[atoms.names == "CA"]
@@ -314,7 +314,7 @@ def test_a_hollow_shell_has_one_void_that_all_line_and_a_pocket_where_a_ball_is_
     faces = [i for i, p in enumerate(cube) if (p == 1).sum() == 2]
     assert sorted(void.balls[void.areas > void.area / 12].tolist()) == faces
     assert void.balls.tolist() == list(range(26)) and void.areas.sum() == pytest.approx(void.area)
-    assert void.mouths == [] and shell.pockets == [] and 0 < void.volume < void.volume_of_tetrahedra
+    assert void.mouths == [] and shell.pockets == [] and 0 < void.volume < void.volume_between_points
     open_ = rbpa.balls(numpy.delete(cube, faces[-1], axis=0), 0.75)
     assert open_.voids == []
     (pocket,) = open_.pockets
@@ -338,7 +338,7 @@ def test_a_pocket_is_the_site_of_the_ligand_that_is_left_out(name, ligand, other
     if not (FURTHER / name).exists():
         pytest.skip(f"there is no {name} in {FURTHER}")
     atoms = rbpa.molecules.read(FURTHER / name)
-    bound, rest = atoms.positions[atoms.residues == ligand], atoms[~numpy.isin(atoms.residues, [ligand, *others])]
+    bound, rest = atoms.positions[atoms.residue_names == ligand], atoms[~numpy.isin(atoms.residue_names, [ligand, *others])]
     is_near = (numpy.linalg.norm(rest.positions[:, None] - bound, axis=2) < 4.5).any(axis=1)
     assert max(is_near[pocket.balls].sum() for pocket in rbpa.balls(rest, "bondi", 1.4).pockets) > share * is_near.sum()
 

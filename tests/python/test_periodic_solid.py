@@ -54,9 +54,9 @@ def test_a_channel_percolates_in_one_direction():
     solid = rbpa.periodic_solid(points, 10, 1.2)
     channel = solid.voids[0]
     assert solid.complex == "full" and channel.dimension == 1
-    assert 0 < channel.outside_balls < channel.volume
+    assert 0 < channel.volume_outside_balls < channel.volume
     (channel,) = rbpa.periodic_solid(points, 10, 1.2, complex="solid").voids
-    assert channel.dimension == 1 and channel.outside_balls is None
+    assert channel.dimension == 1 and channel.volume_outside_balls is None
     assert channel.volume == pytest.approx(math.pi * 2.5**2 * 10, rel=0.1)
     assert rbpa.periodic_solid(points, 10, 1.2, complex="solid").betti == (1, 3, 2, 0)
     assert len(solid.to_meshio().cells[0].data) == len(solid.simplices)
@@ -73,7 +73,7 @@ def test_a_ball_does_not_pass_triangles_without_a_tetrahedron():
     lens = math.pi / 12 * (4 * window + 1) * (2 * window - 1) ** 2
     for void in cubes.voids:
         assert void.volume == 1
-        assert void.outside_balls == pytest.approx(1 - (4 / 3 * math.pi * window**3 - 3 * lens), rel=1e-9)
+        assert void.volume_outside_balls == pytest.approx(1 - (4 / 3 * math.pi * window**3 - 3 * lens), rel=1e-9)
     oxygens = numpy.loadtxt(FINDINGS / "mol_03_zeolite_window" / "lta_O_2x2x2.xyz")
     for alpha, dimension in ((1.35 + 4.15 / 2, 3), (1.35 + 4.16 / 2, 0)):
         assert rbpa.periodic_solid(oxygens, 23.838, alpha).voids[0].dimension == dimension
@@ -83,7 +83,7 @@ def test_a_ball_does_not_pass_triangles_without_a_tetrahedron():
     solid = rbpa.solid(c60, 3.1)
     (void,) = solid.full.voids
     assert solid.voids == [] and void.volume == pytest.approx(162.6, abs=0.1)
-    assert void.outside_balls == pytest.approx(4 / 3 * math.pi * 0.45**3, rel=0.1)
+    assert void.volume_outside_balls == pytest.approx(4 / 3 * math.pi * 0.45**3, rel=0.1)
 
 
 @pytest.mark.parametrize("box", [0, (1, 2), "wide", (1, 2, -3), math.inf, None])

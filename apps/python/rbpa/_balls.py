@@ -180,7 +180,8 @@ class BallVoid(NamedTuple):
     """The volume outside of the balls; `area` is the area of the spheres of the balls that faces this volume. In a box,
     what percolates has the sizes that it has per box."""
     area: float
-    volume_of_tetrahedra: float
+    volume_between_points: float
+    """The volume of the tetrahedra, between the centers of the balls."""
     dimension: int
     """In a box, the number of independent directions in which it percolates: 0 for a closed void, 1 for a channel, 2 for
     a layer, 3 for a network. Without a box 0."""

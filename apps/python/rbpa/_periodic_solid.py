@@ -91,7 +91,7 @@ class PeriodicPart(NamedTuple):
     dimension : int
         The number of independent directions in which it percolates, that is, reaches images of itself. For a void, 0
         means closed, 1 a channel, 2 a layer, 3 a network.
-    outside_balls : float or None
+    volume_outside_balls : float or None
         For a void of the full complex, the volume within it that is at least alpha from every point, where the center
         of a ball may be.
     """
@@ -101,7 +101,7 @@ class PeriodicPart(NamedTuple):
     volume: float
     area: float
     dimension: int
-    outside_balls: Optional[float] = None
+    volume_outside_balls: Optional[float] = None
 
 
 class PeriodicSolid(Result):

@@ -130,7 +130,7 @@ class SolidVoid:
     ----------
     volume, area : float
         The volume of the void, without islands, and the area of its whole boundary.
-    outside_balls : float or None
+    volume_outside_balls : float or None
         For a void of the full complex, the volume within it that is at least alpha from every point, where the center
         of a ball may be.
     box : float64 array of shape (2, 3)
@@ -149,7 +149,7 @@ class SolidVoid:
     islands: int
     triangles: Indices
     points: Indices
-    outside_balls: Optional[float] = None
+    volume_outside_balls: Optional[float] = None
 
     def __post_init__(self) -> None:
         freeze(self.box, self.triangles, self.points)

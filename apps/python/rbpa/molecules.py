@@ -96,7 +96,7 @@ class Atoms:
     positions : float64 array of shape (n, 3), or (frames, n, 3)
     box : float64 array of shape (3, 3), or (frames, 3, 3), or None
         The edges of the cell, as rows; None unless the file has one for each frame, which repeats along all edges.
-    elements, names, residues, insertion_codes, chains : arrays of str
+    elements, names, residue_names, insertion_codes, chains : arrays of str
         Symbols of elements, as "Ca"; names of atoms and of their residues. What the file does not have is an empty text.
     residue_numbers, serials, occupancies, charges : float64 arrays
         NaN where the file has none.
@@ -111,7 +111,7 @@ class Atoms:
     box: Optional[Floats]
     elements: Texts
     names: Texts
-    residues: Texts
+    residue_names: Texts
     insertion_codes: Texts
     chains: Texts
     residue_numbers: Floats
@@ -198,8 +198,7 @@ def _kinds(atoms: Any) -> list[tuple[str, str, str]]:
     if _is_mdtraj(atoms):
         rows = [(atom.element.symbol if atom.element else "", atom.residue.name, atom.name) for atom in atoms.topology.atoms]
     else:
-        residues = _member(atoms, "residues" if isinstance(atoms, Atoms) else "resnames")
-        columns = [_member(atoms, "elements", "get_chemical_symbols"), residues, _member(atoms, "names")]
+        columns = [_member(atoms, "elements", "get_chemical_symbols"), _member(atoms, "residue_names", "resnames"), _member(atoms, "names")]
         if columns[0] is None and columns[2] is None:
             raise InvalidInput(f"radii: found {shown(atoms)} without elements and names, expected radii: numbers, one for each center")
         count = max(len(column) for column in columns if column is not None)
