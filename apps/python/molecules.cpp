@@ -156,13 +156,16 @@ py::dict read_atoms(const py::bytes& path, const MaybeText& format, const std::s
                                      {"names", &AtomRow::name},
                                      {"residue_names", &AtomRow::resname},
                                      {"insertion_codes", &AtomRow::icode},
-                                     {"chains", &AtomRow::chain}})
+                                     {"chains", &AtomRow::chain},
+                                     {"records", &AtomRow::record}})
       columns[name] = texts_of(first, text);
     for (const auto& [name, number] : {std::pair("residue_numbers", &AtomRow::resseq),
                                        {"serials", &AtomRow::serial},
                                        {"occupancies", &AtomRow::occupancy},
+                                       {"bfactors", &AtomRow::bfactor},
                                        {"charges", &AtomRow::charge}})
       columns[name] = line<double>(first.column(number));
+    columns["index"] = line<std::int64_t>(first.column(&AtomRow::index));
     result["left_out"] = left_out;
     result["columns"] = columns;
     return result;

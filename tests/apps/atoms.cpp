@@ -123,7 +123,8 @@ TEST_SUITE("atoms") {
     CHECK(pdb.column(&AtomRow::serial) == std::vector<double>{7, 7});
     CHECK(pdb.column(&AtomRow::occupancy) == std::vector<double>{0.75, 1});
     CHECK(pdb.column(&AtomRow::line) == std::vector<std::size_t>{2, 3});
-    CHECK(pdb.column(&AtomRow::is_hetero) == std::vector<bool>{false, true});
+    CHECK(pdb.text(pdb.rows[0].record) == "ATOM");
+    CHECK(pdb.text(pdb.rows[1].record) == "HETATM");
     CHECK(!pdb.has_radii);
     REQUIRE(pdb.cell.edges);
     const CellEdges& edges = *pdb.cell.edges;
@@ -144,7 +145,8 @@ TEST_SUITE("atoms") {
     CHECK(element(cif, 0) == "C");
     CHECK(element(cif, 1) == "Ca");
     CHECK(std::isnan(cif.rows[1].resseq));
-    CHECK(cif.column(&AtomRow::is_hetero) == std::vector<bool>{false, true});
+    CHECK(cif.text(cif.rows[0].record) == "ATOM");
+    CHECK(cif.text(cif.rows[1].record) == "HETATM");
     CHECK(cif.cell.sides == Point3{9, 8, 7});
   }
 

@@ -271,7 +271,8 @@ TEST_SUITE("balls") {
     folder.file("m.pdb", models);
     REQUIRE(folder.rbpa("balls m.pdb --probe 0.3 --models all -o all.csv --contacts c.csv -q --threads 1").code == 0);
     const std::string all = folder.content("all.csv"), contacts = folder.content("c.csv");
-    CHECK(all.starts_with("frame,point,serial,chain,resseq,icode,resname,name,element,radius,area,volume,buried\n"));
+    CHECK(all.starts_with(
+        "frame,point,serial,chain,resseq,icode,resname,name,element,record,radius,area,volume,buried\n"));
     for (const std::string threads : {"2", "8"}) {
       REQUIRE(
           folder.rbpa("balls m.pdb --probe 0.3 --models all -o b.csv --contacts c.csv -q --threads " + threads).code ==

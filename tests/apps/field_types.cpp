@@ -134,7 +134,7 @@ TEST_SUITE("fields") {
          "HETATM    4  O   HOH 2 202       0.000   0.000   1.000  1.00 20.00           O\n",
          "<!-- chain: 0 = 1, 1 = 2 -->\n<!-- icode: 0 = , 1 = A -->\n<!-- resname: 0 = LYS, 1 = NA, 2 = HOH -->\n"
          "<!-- name: 0 = N, 1 = CA, 2 = NA, 3 = O -->\n<!-- element: 0 = N, 1 = C, 2 = NA, 3 = O -->\n"
-         "<!-- altloc: 0 = , 1 = A -->\n",
+         "<!-- altloc: 0 = , 1 = A -->\n<!-- record: 0 = ATOM, 1 = HETATM -->\n",
          {{"serial", "Int64 99999 100000 3 4"},
           {"chain", "Int32 0 0 1 1"},
           {"resseq", "Int64 1 -1 201 202"},
@@ -145,16 +145,18 @@ TEST_SUITE("fields") {
           {"altloc", "Int32 0 1 0 0"},
           {"occupancy", "Float64 1 0.5 1 1"},
           {"bfactor", "Float64 5.28 20 nan 20"},
-          {"charge", "Float64 nan nan 1 nan"}}},
+          {"charge", "Float64 nan nan 1 nan"},
+          {"record", "Int32 0 0 1 1"}}},
         {"m.pqr",
          "ATOM 1 N LYS 1 0 0 0 -0.3 1.85\nATOM 2 CA LYS 1 1 0 0 0.21 2\nATOM 3 C LYS 1 0 1 0 1 2\nATOM 4 O LYS 1 0 0 1 "
          "-1 2\n",
-         "<!-- resname: 0 = LYS -->\n<!-- name: 0 = N, 1 = CA, 2 = C, 3 = O -->\n",
+         "<!-- resname: 0 = LYS -->\n<!-- name: 0 = N, 1 = CA, 2 = C, 3 = O -->\n<!-- record: 0 = ATOM -->\n",
          {{"serial", "Int64 1 2 3 4"},
           {"resseq", "Int64 1 1 1 1"},
           {"resname", "Int32 0 0 0 0"},
           {"name", "Int32 0 1 2 3"},
           {"charge", "Float64 -0.3 0.21 1 -1"},
+          {"record", "Int32 0 0 0 0"},
           {"radius", "Float64 1.85 2 2 2"}}},
         {"m.cif",
          "data_a\nloop_\n_atom_site.id\n_atom_site.type_symbol\n_atom_site.label_atom_id\n_atom_site.label_asym_id\n"

@@ -87,6 +87,8 @@ TEST_SUITE("molecules") {
     CHECK(count("altloc in ('?', 'A')") == 3);
     CHECK(count("name == 'CA'") == 2);
     CHECK(count("bfactor < 8") == 2);
+    CHECK(count("record == 'HETATM'") == 1);
+    CHECK(read(cif, Format::cif, "record != 'HETATM'").points.size() == 2);
     CHECK(count("occupancy == 0.5") == 2);
     CHECK(count("chain == 'B' and resseq == 201") == 1);
     CHECK(count("serial >= 3") == 2);

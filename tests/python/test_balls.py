@@ -102,6 +102,9 @@ def test_the_program_has_the_same_rows(program, tmp_path):
 def test_atoms_are_columns_and_can_be_selected():
     atoms = rbpa.molecules.read(LYSOZYME)
     assert len(atoms) == 1001 and atoms.positions.shape == (1001, 3) and atoms.left_out["waters"] == 101
+    assert set(atoms.records) == {"ATOM"} and atoms.index.tolist() == list(range(1001)) and atoms.bfactors[0] == 5.28
+    wet = rbpa.molecules.read(LYSOZYME, where="record == 'HETATM'", waters=True)
+    assert wet.index.tolist() == list(range(1001, 1102)) and set(wet.residue_names) == {"HOH"} and wet[3:5].index.tolist() == [1004, 1005]
     assert (atoms.elements[0], atoms.names[0], atoms.residue_names[0], atoms.residue_numbers[0], atoms.chains[0]) == ("N", "N", "LYS", 1, "A")
     assert len(rbpa.molecules.read(LYSOZYME, waters=True)) == 1102
     assert len(rbpa.molecules.read(LYSOZYME, where="name == 'CA'")) == 129
@@ -357,6 +360,17 @@ def test_interfaces_are_what_areas_of_unions_leave():
     between = half[contacts.balls[:, 0]] != half[contacts.balls[:, 1]]
     assert made.contact_areas[0] == pytest.approx(contacts.areas[between].sum(), rel=1e-9)
     assert numpy.array_equal(made.areas_alone[half == "first"], alone[0].areas)
+
+
+def test_interfaces_of_frames_are_those_of_each():
+    centers, radii = some(9, 3, 60)
+    groups = numpy.arange(60) % 3
+    for box in (None, 1):
+        frames = rbpa.balls(centers, radii, 0.01, box=box).interfaces(groups)
+        for f, made in enumerate(frames):
+            alone = rbpa.balls(centers[f], radii[f], 0.01, box=box).interfaces(groups)
+            assert all(numpy.array_equal(a, b) for a, b in zip(made, alone))
+    refuses("one for each ball", rbpa.balls(centers, radii).interfaces, [1, 2])
 
 
 def test_interfaces_in_a_box_are_those_with_all_images():

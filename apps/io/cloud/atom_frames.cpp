@@ -111,12 +111,12 @@ void find_values(AtomBatch& batch, const AtomSource& source, std::optional<std::
       of_water = is_water(residue);
     }
     row.line = atom.line;
-    row.is_hetero = atom.is_hetero;
     row.is_water = of_water;
     element = element_of(atom);
     for (const auto& [column, number] : {std::pair(AtomColumn::serial, &AtomRow::serial),
                                          {AtomColumn::resseq, &AtomRow::resseq},
                                          {AtomColumn::occupancy, &AtomRow::occupancy},
+                                         {AtomColumn::bfactor, &AtomRow::bfactor},
                                          {AtomColumn::charge, &AtomRow::charge}})
       row.*number = number_if_any(atom, column);
     try {
@@ -277,7 +277,7 @@ void AtomFrames::read_atoms(AtomFrame& frame) {
     row.index = counts.in_file++;
     if (leave_out(is_left_out_water(atom, row), counts.waters)) return;
     if (leave_out(selection_ && !selection_->holds(atom), counts.deselected)) return;
-    if (leave_out(row.is_hetero && !row.is_water && !choice_.ligands, counts.ligands)) return;
+    if (leave_out(atom.is_hetero() && !row.is_water && !choice_.ligands, counts.ligands)) return;
     if (leave_out(!choice_.hydrogens && is_hydrogen(values.element), counts.hydrogens)) return;
     if (values.failure) std::rethrow_exception(values.failure);
     const AtomRow& before = frame.rows.empty() ? row : frame.rows.back();
@@ -285,7 +285,8 @@ void AtomFrames::read_atoms(AtomFrame& frame) {
                                        {AtomColumn::resname, &AtomRow::resname},
                                        {AtomColumn::chain, &AtomRow::chain},
                                        {AtomColumn::icode, &AtomRow::icode},
-                                       {AtomColumn::altloc, &AtomRow::altloc}})
+                                       {AtomColumn::altloc, &AtomRow::altloc},
+                                       {AtomColumn::record, &AtomRow::record}})
       row.*text = frame.number_of(atom.fields[column], before.*text);
     if (group_) row.group = frame.number_of(AtomSource::text(atom, *group_), before.group);
     const std::string_view element = values.element.empty() ? atom.fields[AtomColumn::element] : values.element;

@@ -27,11 +27,11 @@ namespace rbpa::app {
 struct AtomRow {
   static constexpr double none = std::numeric_limits<double>::quiet_NaN();
   Point3 center = {};
-  double radius = none, serial = none, resseq = none, occupancy = none, charge = none;
-  std::uint32_t name = 0, resname = 0, chain = 0, icode = 0, altloc = 0;
+  double radius = none, serial = none, resseq = none, occupancy = none, bfactor = none, charge = none;
+  std::uint32_t name = 0, resname = 0, chain = 0, icode = 0, altloc = 0, record = 0;
   std::uint32_t group = 0;    ///< value in the column AtomChoice::group
   std::uint32_t element = 0;  ///< symbol, such as "Ca"; the text in the file if it is no symbol
-  bool is_water = false, is_hetero = false;
+  bool is_water = false;
   std::size_t line = 0;   ///< number of the line in the file; 0 for points that are no atoms
   std::size_t index = 0;  ///< number among all atoms of the frame, from 0
 };

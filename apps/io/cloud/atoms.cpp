@@ -29,7 +29,7 @@ std::size_t atom_column(std::string_view name) {
 }
 
 bool is_text_of_atom(std::size_t column) {
-  constexpr std::string_view texts[] = {"chain", "icode", "resname", "name", "element", "altloc"};
+  constexpr std::string_view texts[] = {"chain", "icode", "resname", "name", "element", "altloc", "record"};
   return column < no_atom_column &&
          std::find(std::begin(texts), std::end(texts), atom_columns[column]) != std::end(texts);
 }

@@ -19,15 +19,15 @@
 namespace rbpa::app {
 
 /// The columns of an atom. The first names_of_atom columns name the atom; the first columns_of_pdb are those of PDB.
-inline constexpr std::array<std::string_view, 15> atom_columns = {"serial", "chain",     "resseq",  "icode",  "resname",
-                                                                  "name",   "element",   "x",       "y",      "z",
-                                                                  "altloc", "occupancy", "bfactor", "charge", "radius"};
-inline constexpr std::size_t names_of_atom = 7, x_of_atom = 7, columns_of_pdb = 14, no_atom_column = 15;
+inline constexpr std::array<std::string_view, 16> atom_columns = {
+    "serial", "chain", "resseq", "icode",     "resname", "name",   "element", "x",
+    "y",      "z",     "altloc", "occupancy", "bfactor", "charge", "record",  "radius"};
+inline constexpr std::size_t names_of_atom = 7, x_of_atom = 7, columns_of_pdb = 15, no_atom_column = 16;
 
 /// The indices of the columns in atom_columns.
 struct AtomColumn {
   static constexpr std::size_t serial = 0, chain = 1, resseq = 2, icode = 3, resname = 4, name = 5, element = 6,
-                               altloc = 10, occupancy = 11, bfactor = 12, charge = 13, radius = 14;
+                               altloc = 10, occupancy = 11, bfactor = 12, charge = 13, record = 14, radius = 15;
 };
 
 /// Returns the index in atom_columns of a name, in letters of either case; no_atom_column if there is none.
@@ -43,8 +43,9 @@ struct Atom {
   std::size_t line = 0;                                      ///< number of the line where the atom begins
   std::array<std::string, atom_columns.size()> fields = {};  ///< an empty text where the file has no value
   std::vector<std::string> others = {};                      ///< values of all columns, if the file names its columns
-  bool is_hetero = false;                                    ///< the atom is in a record HETATM
   std::size_t name_begins = 0;  ///< column of the line where the name begins, which shows the element in PDB; else 0
+
+  bool is_hetero() const { return fields[AtomColumn::record] == "HETATM"; }
 };
 
 class AtomSource {

@@ -147,7 +147,8 @@ constexpr std::array<std::array<std::string_view, 2>, atom_columns.size()> names
      {"label_alt_id"},
      {"occupancy"},
      {"B_iso_or_equiv"},
-     {"pdbx_formal_charge"}}};
+     {"pdbx_formal_charge"},
+     {"group_PDB"}}};
 
 /// Returns the name of an item of the category without the category; empty for an item of another category. Early
 /// dictionaries have an underscore in place of the dot.
@@ -300,7 +301,6 @@ class CifAtoms final : public AtomSource {
     for (std::size_t k = 0; k < places_.size(); ++k)
       places_[k] = {place_of(names_in_cif[k][0]), place_of(names_in_cif[k][1])};
     model_ = place_of("pdbx_PDB_model_num");
-    group_ = place_of("group_PDB");
     const bool has_fractions = place_of("fract_x") != none;
     for (std::size_t k = x_of_atom; k < x_of_atom + 3; ++k)
       if (places_[k][0] == none)
@@ -390,7 +390,6 @@ class CifAtoms final : public AtomSource {
 
   void fill(Atom& atom) const {
     atom.line = row_line_;
-    atom.is_hetero = group_ != none && row_[group_] == "HETATM";
     for (std::size_t k = 0; k < places_.size(); ++k) {
       std::string_view value;
       for (const std::size_t place : places_[k])
@@ -408,7 +407,7 @@ class CifAtoms final : public AtomSource {
   std::vector<std::string_view> columns_ = {}, values_ = {};  // items of a loop; or items of pairs and their values
   std::vector<std::string_view> row_ = {};                    // values of the current atom
   std::array<std::array<std::size_t, 2>, atom_columns.size()> places_ = {};
-  std::size_t width_ = 0, model_ = none, group_ = none, row_line_ = 0, odd_line_ = 0;
+  std::size_t width_ = 0, model_ = none, row_line_ = 0, odd_line_ = 0;
   bool waits_ = false, is_new_frame_ = true;  // row_ is the next atom; the next atom is the first of a frame
   bool in_rows_ = false, has_pairs_ = false, is_by_lines_ = true, is_first_row_ = true;
   std::string_view first_model_ = {}, last_model_ = {};

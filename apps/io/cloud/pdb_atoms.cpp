@@ -29,6 +29,8 @@ bool is_atom(std::string_view line) {
          (line.starts_with("ATOM") && line.size() > 5 && may_follow(line[4]) && may_follow(line[5]));
 }
 
+std::string_view record_of(std::string_view atom) { return atom.substr(0, atom.starts_with("HETATM") ? 6 : 4); }
+
 /// Returns the decimal text of a number in `columns` columns, also in hybrid-36: A000 in four columns is 10000.
 /// Asterisks give an empty text.
 std::string number_in(std::string_view text, std::size_t columns) {
@@ -113,11 +115,11 @@ class PdbAtoms final : public AtomSource {
     if (line.size() < 54 && !lines_.has_end())
       bad_input(at_line(name_, atom.line), in_quotes(line) + " at the end",
                 "z in columns 47 to 54: is the file whole?");
-    atom.is_hetero = line.starts_with("HETATM");
+    const std::string_view record = record_of(line);
     atom.name_begins = line.size() > 12 && line[12] != ' ' ? 13 : 14;
     const std::size_t serial_end = has_digit(line, 11) && has_digit(line, 12) ? 12 : 11;
     const std::size_t residue_end = has_digit(line, 26) && has_digit(line, 27) ? 27 : 26;
-    atom.fields = {number_in(at_columns(line, atom.is_hetero ? 7 : 5, serial_end), 5),
+    atom.fields = {number_in(at_columns(line, record.size() + 1, serial_end), 5),
                    std::string(at_columns(line, 22, 22)),
                    number_in(at_columns(line, 23, residue_end), 4),
                    std::string(at_columns(line, residue_end + 1, 27)),
@@ -130,15 +132,16 @@ class PdbAtoms final : public AtomSource {
                    std::string(at_columns(line, 17, 17)),
                    std::string(at_columns(line, 55, 60)),
                    std::string(at_columns(line, 61, 66)),
-                   formal_charge(at_columns(line, 79, 80))};
+                   formal_charge(at_columns(line, 79, 80)),
+                   std::string(record)};
   }
 
   /// Takes an atom of PQR: words, with or without the chain; or the columns of PDB, then words: charge, radius.
   void take_pqr(std::string_view line, Atom& atom) const {
     atom.line = lines_.number();
-    atom.is_hetero = line.starts_with("HETATM");
+    const std::string_view record = record_of(line);
     atom.name_begins = 0;
-    const std::vector<std::string_view> words = split_words(line.substr(atom.is_hetero ? 6 : 4));
+    const std::vector<std::string_view> words = split_words(line.substr(record.size()));
     const bool has_chain = words.size() == 10;
     const auto is_any_number = [](std::string_view word) {
       return parse_whole_number(word).fault == NumberFault::none;
@@ -171,8 +174,9 @@ class PdbAtoms final : public AtomSource {
                    std::string(number.substr(digits)),
                    std::string(words[2]),
                    std::string(words[1])};
-    for (std::size_t k = 0; k < 5; ++k)
-      atom.fields[k < 3 ? x_of_atom + k : AtomColumn::charge + k - 3] = words[words.size() - 5 + k];
+    atom.fields[AtomColumn::record] = record;
+    constexpr std::size_t last[] = {x_of_atom, x_of_atom + 1, x_of_atom + 2, AtomColumn::charge, AtomColumn::radius};
+    for (std::size_t k = 0; k < 5; ++k) atom.fields[last[k]] = words[words.size() - 5 + k];
   }
 
   Lines lines_;

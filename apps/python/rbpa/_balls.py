@@ -388,8 +388,9 @@ class Balls(Result):
         self._require_no_box("filtration")
         return BallFiltration(self.centers, self._of_one_frame("filtration"), bool(roots), threads)
 
-    def interfaces(self, groups: npt.ArrayLike, *, threads: Optional[int] = None) -> BallInterfaces:
-        """Returns the areas of the surfaces of groups of balls, with the probe, that other groups cover.
+    def interfaces(self, groups: npt.ArrayLike, *, threads: Optional[int] = None) -> Any:
+        """Returns the areas of the surfaces of groups of balls, with the probe, that other groups cover, as
+        `BallInterfaces`; for frames, a list.
 
         `groups` has a label for each ball: the chains of atoms, or any other numbers or texts. Each two groups are
         compared without the others. In a box, the images of a ball are in its group, and areas are those per box. Groups
@@ -399,16 +400,17 @@ class Balls(Result):
         >>> two.groups.tolist(), two.areas.round(6).tolist()  # caps of height 1/2: 2π each
         ([['A', 'B']], [[6.283185, 6.283185]])
         """
-        radii = self._of_one_frame("interfaces")
         given = np.asarray(aligned(groups, self._index, "groups"))
-        if given.shape != radii.shape:
-            raise InvalidInput(f"groups: found an array of shape {given.shape}, expected {radii.shape}, one for each ball")
+        if given.shape != (len(self),):
+            raise InvalidInput(f"groups: found an array of shape {given.shape}, expected {(len(self),)}, one for each ball")
         labels, number = np.unique(given, return_inverse=True)
         numbers = np.ascontiguousarray(number, np.int32)
-        found = _core.ball_interfaces(self.centers, radii, self.cells, numbers, as_threads(threads))
-        made = BallInterfaces(**{**found, "groups": labels[found["groups"]]})
-        freeze(*made)
-        return made
+        all_frames = []
+        for frame in self._frames(self.radii + self.probe):
+            found = _core.ball_interfaces(*frame, numbers, as_threads(threads))
+            all_frames.append(BallInterfaces(**{**found, "groups": labels[found["groups"]]}))
+            freeze(*all_frames[-1])
+        return all_frames if self.centers.ndim == 3 else all_frames[0]
 
     def __len__(self) -> int:
         return self.centers.shape[-2]

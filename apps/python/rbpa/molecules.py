@@ -98,8 +98,13 @@ class Atoms:
         The edges of the cell, as rows; None unless the file has one for each frame, which repeats along all edges.
     elements, names, residue_names, insertion_codes, chains : arrays of str
         Symbols of elements, as "Ca"; names of atoms and of their residues. What the file does not have is an empty text.
-    residue_numbers, serials, occupancies, charges : float64 arrays
+    records : array of str
+        "ATOM" or "HETATM", of PDB, PQR and mmCIF.
+    residue_numbers, serials, occupancies, bfactors, charges : float64 arrays
         NaN where the file has none.
+    index : int64 array
+        The number of each atom among all of its frame in the file, from 0, those that are left out included: `point` in
+        files of the program.
     frames : list of int
         The numbers of the models, from 1.
     left_out : dict of int
@@ -114,10 +119,13 @@ class Atoms:
     residue_names: Texts
     insertion_codes: Texts
     chains: Texts
+    records: Texts
     residue_numbers: Floats
     serials: Floats
     occupancies: Floats
+    bfactors: Floats
     charges: Floats
+    index: npt.NDArray[np.int64]
     frames: list[int]
     left_out: dict[str, int]
     warnings: list[str]

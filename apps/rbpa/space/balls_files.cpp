@@ -39,7 +39,7 @@ std::vector<NameColumn> names_of(AtomGroups groups, const std::string& column, b
   if (groups == AtomGroups::residue) return names;
   if (!are_atoms) return {};
   names.insert(names.begin(), {"serial", nullptr, &AtomRow::serial});
-  names.insert(names.end(), {{"name", &AtomRow::name}, {"element", &AtomRow::element}});
+  names.insert(names.end(), {{"name", &AtomRow::name}, {"element", &AtomRow::element}, {"record", &AtomRow::record}});
   return names;
 }
 
