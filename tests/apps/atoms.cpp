@@ -538,12 +538,40 @@ TEST_SUITE("atoms") {
     CHECK(refusal_of([&] { BallRadii{twice}; }) ==
           twice + ":2: found 'c 1.8', expected one radius for each element and each atom");
 
-    const AtomFrame iron =
-        frame_of(pdb_line(" CA ") + pdb_line("FE  ", ' ', "HEM", 154, 1, "FE", "HETATM"), Format::pdb);
-    CHECK(refusal_of([&] { BallRadii("bondi").of(iron, "m"); }) ==
-          "m:2: found element 'Fe' of atom FE of residue HEM A 154, expected one with a radius of Bondi or Mantina "
+    const AtomFrame metal =
+        frame_of(pdb_line(" CA ") + pdb_line("PM  ", ' ', "PM", 154, 1, "PM", "HETATM"), Format::pdb);
+    CHECK(refusal_of([&] { BallRadii("bondi").of(metal, "m"); }) ==
+          "m:2: found element 'Pm' of atom PM of residue PM A 154, expected one with a radius of Bondi, Mantina or "
+          "Alvarez "
           "(--radii FILE names its radius, --radius-default R is for all without one)");
-    CHECK(BallRadii("bondi", 2.0).of(iron, "m") == std::vector<double>{1.7, 2});
+    struct Metal {
+      const char* symbol;
+      double radius;
+      const char* source;
+    };
+    for (const Metal& of : {Metal{"FE", 2.44, "Alvarez"},
+                            {"MN", 2.45, "Alvarez"},
+                            {"CO", 2.40, "Alvarez"},
+                            {"MO", 2.45, "Alvarez"},
+                            {"V", 2.42, "Alvarez"},
+                            {"W", 2.57, "Alvarez"},
+                            {"GD", 2.83, "Alvarez"},
+                            {"ES", 2.70, "Alvarez"},
+                            {"ZN", 1.39, "Bondi"},
+                            {"CU", 1.40, "Bondi"},
+                            {"NI", 1.63, "Bondi"},
+                            {"NA", 2.27, "Bondi"},
+                            {"MG", 1.73, "Bondi"},
+                            {"K", 2.75, "Bondi"},
+                            {"CD", 1.58, "Bondi"},
+                            {"CA", 2.31, "Mantina"}}) {
+      CAPTURE(of.symbol);
+      BallRadii radii("bondi");
+      const std::string line = pdb_line(of.symbol, ' ', of.symbol, 1, 1, of.symbol, "HETATM");
+      CHECK(radii.of(frame_of(line, Format::pdb), "m") == std::vector<double>{of.radius});
+      CHECK(radii.used().begin()->first.second == of.source);
+    }
+    CHECK(BallRadii("bondi", 2.0).of(metal, "m") == std::vector<double>{1.7, 2});
     for (const auto& [nameless, format, place] :
          {std::tuple("data_x\nloop_\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n1 2 3\n", Format::cif,
                      "m:6: found no element of atom 0, "),

@@ -466,7 +466,7 @@ TEST_SUITE("balls") {
   TEST_CASE("wrong calls and broken files are refused, and leave no file") {
     const Folder folder;
     folder.file("m.pdb", atom(" CA ", 0));
-    folder.file("iron.pdb", atom(" CA ", 0) + atom("FE  ", 3, 154, "  1.00  0.00          FE", "HEM", ' ', "HETATM"));
+    folder.file("metal.pdb", atom(" CA ", 0) + atom("PM  ", 3, 154, "  1.00  0.00          PM", "PM ", ' ', "HETATM"));
     folder.file("bad.pdb", "MODEL        1\n" + atom(" CA ", 0) + "ENDMDL\nMODEL        2\n" +
                                "ATOM      1  CA  ALA A   1       0.000   x.000   0.000\nENDMDL\n");
     folder.file("t.csv", "x,y,z,r\n0,0,0,1\n1,0,0,-1\n");
@@ -505,9 +505,9 @@ TEST_SUITE("balls") {
            "t.csv: found no chains for --group, expected some (--group residue, or column:NAME)"},
           {"m.pdb --probe 1e308 --radius-default 1 --radii huge.txt", 3, ""},
           {"w.pdb", 3, "w.pdb: found no atoms but those of water, expected others (--waters reads water too)"},
-          {"iron.pdb -o a.csv", 3,
-           "iron.pdb:2: found element 'Fe' of atom FE of residue HEM A 154, expected one with a radius of Bondi or "
-           "Mantina (--radii FILE names its radius, --radius-default R is for all without one)"},
+          {"metal.pdb -o a.csv", 3,
+           "metal.pdb:2: found element 'Pm' of atom PM of residue PM A 154, expected one with a radius of Bondi, "
+           "Mantina or Alvarez (--radii FILE names its radius, --radius-default R is for all without one)"},
           {"bad.pdb --models all -o a.csv --contacts c.csv", 3, "bad.pdb:5: found 'x.000' as y, expected a number"}}) {
       CAPTURE(call.arguments);
       const Outcome outcome = folder.rbpa("balls " + call.arguments);

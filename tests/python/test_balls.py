@@ -242,7 +242,7 @@ def test_atoms_of_other_packages_have_positions_and_radii():
         (lambda: rbpa.balls([[0, 0, 0]]), "without elements and names, expected radii: numbers, one for each center"),
         (lambda: rbpa.balls([[0, 0, 0]], "bondi"), "without elements and names"),
         (lambda: rbpa.balls(Group(), "mine"), "mine: found no such file, expected a file of radii, 'bondi' or"),
-        (lambda: rbpa.molecules.radii(Named(positions=[[0, 0, 0]], elements=["Fe"])), r"overrides=\{symbol: R\} sets its radius"),
+        (lambda: rbpa.molecules.radii(Named(positions=[[0, 0, 0]], elements=["Pm"])), r"overrides=\{symbol: R\} sets its radius"),
         (lambda: rbpa.molecules.radii(Group(), overrides={"Qq": 1}), "overrides: found 'Qq', expected an element"),
         (lambda: rbpa.molecules.read(LYSOZYME, models=2), "found 1 frame, expected frame 2"),
         (lambda: rbpa.molecules.read(LYSOZYME, models="some"), "models: found 'some', expected all, or numbers from 1"),

@@ -102,13 +102,14 @@ std::pair<double, std::string_view> BallRadii::find(const AtomFrame& frame, cons
       bad_input(where, "hydrogen, " + frame.title(atom), "none, as ProtOr's radii include it (--no-hydrogens)");
   }
   if (const Element* const element = find_element(symbol); element != nullptr && element->radius > 0)
-    return {element->radius, is_of_mantina(symbol) ? "Mantina" : "Bondi"};
+    return {element->radius, source_of_radius(symbol)};
   if (otherwise_) return {*otherwise_, "default"};
   if (atom.line == 0 && symbol.empty() && of_atom.empty())
     bad_input(name, "points without radii", "radii (--radii column:NAME, or --radius-default R)");
-  bad_input(where, (symbol.empty() ? "no element" : "element " + in_quotes(symbol)) + " of " + frame.title(atom),
-            "one with a radius of Bondi or Mantina (--radii FILE names its radius, --radius-default R is for all "
-            "without one)");
+  bad_input(
+      where, (symbol.empty() ? "no element" : "element " + in_quotes(symbol)) + " of " + frame.title(atom),
+      "one with a radius of Bondi, Mantina or Alvarez (--radii FILE names its radius, --radius-default R is for all "
+      "without one)");
 }
 
 std::vector<double> BallRadii::of(const AtomFrame& frame, const std::string& name) {

@@ -1,5 +1,5 @@
 // What: radii of atoms: those of their file, of a table of elements or of atoms of proteins, or of a file of radii.
-// Source: Bondi and Mantina as in chemical_elements.h. ProtOr: J. Tsai et al., J. Mol. Biol. 290, 253 (1999).
+// Source: Bondi, Mantina and Alvarez as in chemical_elements.h. ProtOr: J. Tsai et al., J. Mol. Biol. 290, 253 (1999).
 #pragma once
 
 #include <cstddef>
@@ -38,7 +38,7 @@ class BallRadii {
   /// Returns a radius for each atom; `name` is the file of the atoms. Throws BadInput for the first atom that has none.
   std::vector<double> of(const AtomFrame& frame, const std::string& name);
   /// Returns the radii that of() has used, by element (an empty text for points without an element) and by source:
-  /// "Bondi", "Mantina", "ProtOr", "file", "override" or "default".
+  /// "Bondi", "Mantina", "Alvarez", "ProtOr", "file", "override" or "default".
   const std::map<std::pair<std::string, std::string_view>, UsedRadii>& used() const { return used_; }
 
  private:

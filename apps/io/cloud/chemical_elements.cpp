@@ -9,21 +9,22 @@
 namespace rbpa::app {
 namespace {
 
-/// The elements by their atomic numbers, from 1, and hydrogen's isotopes. Platinum has 1.72 in Bondi's table XIV.
+/// The elements by their atomic numbers, from 1, and hydrogen's isotopes, with radii of source_of_radius(). Platinum has
+/// 1.72 in Bondi's table XIV.
 constexpr Element known_elements[] = {
     {"H", 1.20},  {"He", 1.40}, {"Li", 1.82}, {"Be", 1.53}, {"B", 1.92},  {"C", 1.70},  {"N", 1.55},  {"O", 1.52},
     {"F", 1.47},  {"Ne", 1.54}, {"Na", 2.27}, {"Mg", 1.73}, {"Al", 1.84}, {"Si", 2.10}, {"P", 1.80},  {"S", 1.80},
-    {"Cl", 1.75}, {"Ar", 1.88}, {"K", 2.75},  {"Ca", 2.31}, {"Sc", 0},    {"Ti", 0},    {"V", 0},     {"Cr", 0},
-    {"Mn", 0},    {"Fe", 0},    {"Co", 0},    {"Ni", 1.63}, {"Cu", 1.40}, {"Zn", 1.39}, {"Ga", 1.87}, {"Ge", 2.11},
-    {"As", 1.85}, {"Se", 1.90}, {"Br", 1.85}, {"Kr", 2.02}, {"Rb", 3.03}, {"Sr", 2.49}, {"Y", 0},     {"Zr", 0},
-    {"Nb", 0},    {"Mo", 0},    {"Tc", 0},    {"Ru", 0},    {"Rh", 0},    {"Pd", 1.63}, {"Ag", 1.72}, {"Cd", 1.58},
+    {"Cl", 1.75}, {"Ar", 1.88}, {"K", 2.75},  {"Ca", 2.31}, {"Sc", 2.58}, {"Ti", 2.46}, {"V", 2.42},  {"Cr", 2.45},
+    {"Mn", 2.45}, {"Fe", 2.44}, {"Co", 2.40}, {"Ni", 1.63}, {"Cu", 1.40}, {"Zn", 1.39}, {"Ga", 1.87}, {"Ge", 2.11},
+    {"As", 1.85}, {"Se", 1.90}, {"Br", 1.85}, {"Kr", 2.02}, {"Rb", 3.03}, {"Sr", 2.49}, {"Y", 2.75},  {"Zr", 2.52},
+    {"Nb", 2.56}, {"Mo", 2.45}, {"Tc", 2.44}, {"Ru", 2.46}, {"Rh", 2.44}, {"Pd", 1.63}, {"Ag", 1.72}, {"Cd", 1.58},
     {"In", 1.93}, {"Sn", 2.17}, {"Sb", 2.06}, {"Te", 2.06}, {"I", 1.98},  {"Xe", 2.16}, {"Cs", 3.43}, {"Ba", 2.68},
-    {"La", 0},    {"Ce", 0},    {"Pr", 0},    {"Nd", 0},    {"Pm", 0},    {"Sm", 0},    {"Eu", 0},    {"Gd", 0},
-    {"Tb", 0},    {"Dy", 0},    {"Ho", 0},    {"Er", 0},    {"Tm", 0},    {"Yb", 0},    {"Lu", 0},    {"Hf", 0},
-    {"Ta", 0},    {"W", 0},     {"Re", 0},    {"Os", 0},    {"Ir", 0},    {"Pt", 1.72}, {"Au", 1.66}, {"Hg", 1.55},
+    {"La", 2.98}, {"Ce", 2.88}, {"Pr", 2.92}, {"Nd", 2.95}, {"Pm", 0},    {"Sm", 2.90}, {"Eu", 2.87}, {"Gd", 2.83},
+    {"Tb", 2.79}, {"Dy", 2.87}, {"Ho", 2.81}, {"Er", 2.83}, {"Tm", 2.79}, {"Yb", 2.80}, {"Lu", 2.74}, {"Hf", 2.63},
+    {"Ta", 2.53}, {"W", 2.57},  {"Re", 2.49}, {"Os", 2.48}, {"Ir", 2.41}, {"Pt", 1.72}, {"Au", 1.66}, {"Hg", 1.55},
     {"Tl", 1.96}, {"Pb", 2.02}, {"Bi", 2.07}, {"Po", 1.97}, {"At", 2.02}, {"Rn", 2.20}, {"Fr", 3.48}, {"Ra", 2.83},
-    {"Ac", 0},    {"Th", 0},    {"Pa", 0},    {"U", 1.86},  {"Np", 0},    {"Pu", 0},    {"Am", 0},    {"Cm", 0},
-    {"Bk", 0},    {"Cf", 0},    {"Es", 0},    {"Fm", 0},    {"Md", 0},    {"No", 0},    {"Lr", 0},    {"D", 1.20},
+    {"Ac", 2.80}, {"Th", 2.93}, {"Pa", 2.88}, {"U", 1.86},  {"Np", 2.82}, {"Pu", 2.81}, {"Am", 2.83}, {"Cm", 3.05},
+    {"Bk", 3.40}, {"Cf", 3.05}, {"Es", 2.70}, {"Fm", 0},    {"Md", 0},    {"No", 0},    {"Lr", 0},    {"D", 1.20},
     {"T", 1.20}};
 constexpr std::size_t isotopes = 2;
 
@@ -77,8 +78,13 @@ const Element* find_element(std::string_view symbol) {
   return found == std::end(known_elements) ? nullptr : found;
 }
 
-bool is_of_mantina(std::string_view symbol) {
-  return is_word_of(symbol, "Be B Al Ca Ge Rb Sr Sb Cs Ba Bi Po At Rn Fr Ra");
+std::string_view source_of_radius(std::string_view symbol) {
+  if (is_word_of(symbol, "Be B Al Ca Ge Rb Sr Sb Cs Ba Bi Po At Rn Fr Ra")) return "Mantina";
+  return is_word_of(symbol,
+                    "Sc Ti V Cr Mn Fe Co Y Zr Nb Mo Tc Ru Rh La Ce Pr Nd Sm Eu Gd Tb Dy Ho Er Tm Yb Lu Hf Ta W Re Os "
+                    "Ir Ac Th Pa Np Pu Am Cm Bk Cf Es")
+             ? "Alvarez"
+             : "Bondi";
 }
 
 std::string_view element_of(const Atom& atom) {

@@ -1,6 +1,7 @@
 // What: elements: their symbols and radii, and the element of an atom, from the column that names it or from its name.
 // Source: A. Bondi, J. Phys. Chem. 68, 441 (1964); M. Mantina et al., J. Phys. Chem. A 113, 5806 (2009), for 16
-//         elements that Bondi has not; names in PDB have the symbol in columns 13 and 14, right-justified:
+//         elements that Bondi has not; S. Alvarez, Dalton Trans. 42, 8617 (2013), for 44
+//         metals that both have not; names in PDB have the symbol in columns 13 and 14, right-justified:
 //         https://www.wwpdb.org/documentation/file-format-content/format33/sect9.html#ATOM
 #pragma once
 
@@ -19,8 +20,8 @@ struct Element {
 /// and "T". Null if there is none.
 const Element* find_element(std::string_view symbol);
 
-/// Returns whether the radius of the element is Mantina's, not Bondi's.
-bool is_of_mantina(std::string_view symbol);
+/// Returns the source of the radius of an element that has one: "Bondi", "Mantina" or "Alvarez".
+std::string_view source_of_radius(std::string_view symbol);
 
 /// Returns the symbol of the atom's element; empty if neither the column nor the name shows an element.
 std::string_view element_of(const Atom& atom);

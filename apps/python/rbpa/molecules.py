@@ -225,8 +225,8 @@ def radii(
         One that has `elements` or `get_chemical_symbols()`, perhaps `names` and `resnames` (MDAnalysis, ASE), or
         mdtraj's `topology`. Where there is no element, the name decides.
     choice : "bondi", "protor", or path, optional
-        Radii of Bondi (1964) and Mantina et al. (2009); for amino acids those of Tsai et al. (1999), which include
-        hydrogens; or a file of radii as for ``rbpa balls --radii``. By default those of the file, else "bondi".
+        Radii of Bondi (1964), Mantina et al. (2009) and Alvarez (2013); for amino acids those of Tsai et al. (1999),
+        which include hydrogens; or a file of radii as for ``rbpa balls --radii``. By default those of the file, else "bondi".
     default : float, optional
         The radius of atoms that have none; otherwise the first of them is refused with InvalidInput.
     overrides : mapping from symbols to radii, optional
