@@ -111,6 +111,13 @@ std::optional<std::vector<std::vector<double>>> edges_of_cell(const std::vector<
   return rows;
 }
 
+/// Returns warnings about centers of shape (n, 3), and a box whose edges are the rows of `cell`, of shape (3, 3).
+std::vector<std::string> warnings_of_range(const Doubles& centers, const Doubles& cell) {
+  require_shape(cell.ndim() == 2 && cell.shape(0) == 3 && cell.shape(1) == 3, cell, "cell", "(3, 3)");
+  return app::warnings_of_range(points3_of(centers, "centers"), *reinterpret_cast<const app::CellEdges*>(cell.data()),
+                                "centers");
+}
+
 /// Returns a column of texts as a pair: for each atom the position of its text in a list, and the list.
 py::tuple texts_of(const AtomFrame& frame, std::uint32_t AtomRow::*member) {
   py::list texts;
@@ -203,6 +210,7 @@ Doubles atom_radii(const std::vector<AtomKind>& kinds, const std::string& choice
 void bind_molecules(py::module_& module) {
   using py::arg;
   module.def("edges_of_cell", &edges_of_cell, arg("lengths_and_angles"));
+  module.def("warnings_of_range", &warnings_of_range, as_is("centers"), as_is("cell"));
   module.def("read_atoms", &read_atoms, arg("path"), arg("format"), arg("models"), arg("waters"), arg("ligands"),
              arg("hydrogens"), arg("alternates"), arg("where"), arg("radius"));
   module.def("atom_radii", &atom_radii, arg("kinds"), arg("choice"), arg("otherwise"), arg("overrides"));

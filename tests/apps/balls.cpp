@@ -306,8 +306,8 @@ TEST_SUITE("balls") {
                         "C \"C5'\" 'A,\"B' 0 0 0\nC 'C 6' \xe9 9 0 0\n");
     REQUIRE(folder.rbpa("balls q.cif -o q.csv -q").code == 0);
     const std::string text = folder.content("q.csv");
-    CHECK(contains(text, "\n0,,,,,\"A,\"\"B\",C5',C,1.7,"));
-    CHECK(contains(text, "\n1,,,,,\xc3\xa9,\"C 6\",C,1.7,"));
+    CHECK(contains(text, "\n0,,,,,\"A,\"\"B\",C5',C,,1.7,"));
+    CHECK(contains(text, "\n1,,,,,\xc3\xa9,\"C 6\",C,,1.7,"));
   }
 
   TEST_CASE("voids and pockets have sizes, the largest ball that fits in, and the atoms around them") {
@@ -532,7 +532,7 @@ TEST_SUITE("balls") {
     const auto add = [&](const Json& json, const auto& self) -> void {
       for (const auto& [key, value] : json.items()) {
         if (json.is_object()) found.insert(key);
-        self(value, self);
+        if (value.is_structured()) self(value, self);
       }
     };
     const Folder folder("two.csv", "x,y,z,r\n0,0,0,0.3\n0.5,0.5,0.5,0.3\n");

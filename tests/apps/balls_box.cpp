@@ -117,9 +117,12 @@ TEST_SUITE("balls in a box") {
     folder.file("two.pdb", "ATOM      1  CA  ALA A   1       0.000   0.000   0.000  1.00  0.00           C\n");
     folder.file("flat.dump", frame(0, "0"));
     folder.file("flat.csv", "x,y,z,r\n0,0,0,0.4\n");
-    CHECK(contains(folder.rbpa("balls two.csv --radii column:r --box 10").err,
-                   "points reach over 30 x 0 x 0, more than the box, which reaches over 10 x 10 x 10"));
-    CHECK(!contains(folder.rbpa("balls two.csv --radii column:r --box 40").err, "reach over"));
+    CHECK(
+        contains(folder.rbpa("balls two.csv --radii column:r --box 10").err,
+                 "points reach over 30 x 0 x 0, more than twice the box, which reaches over 10 x 10 x 10: is it in "));
+    for (const std::string box : {"40", "15"})
+      CHECK(!contains(folder.rbpa("balls two.csv --radii column:r --box " + box).err, "reach over"));
+    CHECK(contains(folder.rbpa("balls two.csv --radii column:r --box 14.9").err, "reach over"));
     const std::pair<const char*, const char*> calls[] = {
         {"two.csv --radii column:r --box 1,2", "--box: found '1,2', expected the sides"},
         {"two.csv --radii column:r --box 0", "--box: found '0', expected the sides"},
@@ -130,8 +133,7 @@ TEST_SUITE("balls in a box") {
         {"flat.dump --radius-default 1 --box auto", "flat.dump: found BOX BOUNDS without a volume"},
         {"two.pdb --box 9 --pockets p.csv",
          "--pockets cannot be combined with --box, which has no outside to open to (--voids has what percolates; "
-         "without "
-         "--box, molecules that are whole have pockets)"},
+         "without --box, molecules that are whole have pockets)"},
         {"two.pdb --pores", "--pores requires --box"},
         {"two.pdb --box 9 --voids v.obj", "--voids: found the ending 'obj', expected one of json, csv"},
         {"flat.csv --radii column:r --box 1,1,3000 --voids v.csv", "flat.csv: found a cell so flat"}};

@@ -131,21 +131,23 @@ TEST_SUITE("solid box") {
   }
 
   TEST_CASE("a wrong box is refused, or warned of") {
-    const Folder folder("c.xyz", cube_of(4));
+    const Folder folder({{"c.xyz", cube_of(4)}, {"large.xyz", cube_of(6)}});
     const auto atom = [](int number, double x, const char* name) {
       char line[81];
       std::snprintf(line, sizeof line, "ATOM  %5d  CA  %s A %3d    %8.3f%8.3f%8.3f  1.00  0.00           C\n", number,
                     name, number, x, 2.0, 3.5);
       return std::string(line);
     };
-    folder.file("a.pdb", atom(1, 0, "ALA") + atom(2, 12.25, "GLY"));
-    Outcome outcome = folder.rbpa("solid c.xyz --alpha 1 --box 2,4,4 --json", 0);
-    CHECK(contains(outcome.err, "c.xyz: points reach over 3 x 3 x 3, more than the box, which reaches over 2 x 4 x 4"));
-    CHECK(!contains(folder.rbpa("solid c.xyz --alpha 1 --box 3 --json").err, "reach"));
-    CHECK(folder.rbpa("solid c.xyz --alpha 1 --box 2,4,4 --json -q").err.empty());
+    folder.file("a.pdb", atom(1, 0, "ALA") + atom(2, 22.25, "GLY"));
+    Outcome outcome = folder.rbpa("solid large.xyz --alpha 1 --box 2,6,6 --json", 0);
+    CHECK(contains(outcome.err,
+                   "large.xyz: points reach over 5 x 5 x 5, more than twice the box, which reaches over 2 x 6 x 6"));
+    for (const std::string box : {"5", "2.5,6,6"})
+      CHECK(!contains(folder.rbpa("solid large.xyz --alpha 1 --json --box " + box).err, "reach"));
+    CHECK(folder.rbpa("solid large.xyz --alpha 1 --box 2,6,6 --json -q").err.empty());
     outcome = folder.rbpa("solid a.pdb --alpha 1.5 --box 10 -o t.npy", 3);
     CHECK(contains(outcome.err,
-                   "a.pdb: atoms reach over 12.2 x 0 x 0, more than the box, which reaches over 10 x 10 x 10"));
+                   "a.pdb: atoms reach over 22.2 x 0 x 0, more than twice the box, which reaches over 10 x 10 x 10"));
     CHECK(!contains(outcome.err, "alpha is inf"));
     CHECK(contains(outcome.err,
                    "a ball with a radius of half of the box's least side, 10, has no point inside: expected more "

@@ -1,5 +1,6 @@
 """Unions of balls with a radius each, atoms with names and radii, and frames."""
 
+import csv
 import math
 import os
 import pathlib
@@ -7,6 +8,7 @@ import pickle
 import re
 import shutil
 import subprocess
+import warnings
 
 import numpy
 import pytest
@@ -99,6 +101,22 @@ def test_the_program_has_the_same_rows(program, tmp_path):
     assert numpy.array_equal(contacts["point_b"], made.contacts.balls[:, 1])
 
 
+def test_indices_of_atoms_are_the_points_of_the_program(program):
+    where = "resseq > 5 and resname != 'XXX'"
+
+    def rows(*options):
+        command = [program, "balls", str(LYSOZYME), "--probe", "1.4", "--where", where, "-q", *options]
+        return list(csv.DictReader(subprocess.run(command, check=True, capture_output=True, text=True).stdout.splitlines()))
+
+    atoms = rbpa.molecules.read(LYSOZYME, where=where)
+    table, voids, found = rows("-o", "-"), rows("--voids", "-"), rbpa.balls(atoms, probe=1.4).voids
+    assert [int(row["point"]) for row in table] == atoms.index.tolist() and atoms.index[0] > 0
+    assert [row["record"] for row in table] == atoms.records.tolist()
+    assert [[int(i) for i in row["points"].split()] for row in voids] == [atoms.index[void.balls].tolist() for void in found]
+    for column, name in (("volume_between_points", "volume_between_points"), ("volume_outside_balls", "volume"), ("radius_max", "radius")):
+        assert [float(row[column]) for row in voids] == pytest.approx([getattr(void, name) for void in found], rel=1e-12)
+
+
 def test_atoms_are_columns_and_can_be_selected():
     atoms = rbpa.molecules.read(LYSOZYME)
     assert len(atoms) == 1001 and atoms.positions.shape == (1001, 3) and atoms.left_out["waters"] == 101
@@ -118,7 +136,7 @@ def test_atoms_are_columns_and_can_be_selected():
     assert copy.areas.tolist() == rbpa.balls(atoms, probe=1.4).areas.tolist()
 
 
-FRAMES = "".join(f"2\nProperties=species:S:1:pos:R:3:radius:R:1\nC 0 0 {i} 1.{i}\nFe 1 0 0 2\n" for i in range(4))
+FRAMES = "".join(f"2\nProperties=species:S:1:pos:R:3:radius:R:1\nC 0 0 {i} 1.{i}\nPm 1 0 0 2\n" for i in range(4))
 
 
 def test_frames_of_a_file_have_an_axis_and_their_radii(tmp_path):
@@ -133,11 +151,11 @@ def test_frames_of_a_file_have_an_axis_and_their_radii(tmp_path):
     assert rbpa.molecules.read(path, models=[2, 4]).frames == rbpa.molecules.read(path, models="2,4").frames == [2, 4]
     assert atoms[:1].positions.shape == (4, 1, 3) and atoms[:1].radii().shape == (4, 1)
     assert atoms.radii("bondi", default=1.5).tolist() == [1.7, 1.5]
-    assert atoms.radii(overrides={"fe": 1.25}).tolist() == [[1.0, 1.25], [1.1, 1.25], [1.2, 1.25], [1.3, 1.25]]
-    assert atoms.radii("bondi", overrides={"fe": 1.25}).tolist() == [1.7, 1.25]
+    assert atoms.radii(overrides={"pm": 1.25}).tolist() == [[1.0, 1.25], [1.1, 1.25], [1.2, 1.25], [1.3, 1.25]]
+    assert atoms.radii("bondi", overrides={"pm": 1.25}).tolist() == [1.7, 1.25]
     names = FRAMES.splitlines()[1]
     path.write_text(FRAMES + f"2\n{names}\nC 0 0 0 1\nN 1 0 0 1\n")
-    with pytest.raises(rbpa.InvalidInput, match=r"found element 'N' of atom 1 in frame 5, expected 'Fe', as in frame 1 \(models=5 reads"):
+    with pytest.raises(rbpa.InvalidInput, match=r"found element 'N' of atom 1 in frame 5, expected 'Pm', as in frame 1 \(models=5 reads"):
         rbpa.molecules.read(path, models="all")
     path.write_text(FRAMES + f"1\n{names}\nC 0 0 0 1\n")
     refuses("found 1 atom in frame 5, expected 2, as in frame 1", rbpa.molecules.read, path, models="all")
@@ -245,7 +263,7 @@ def test_atoms_of_other_packages_have_positions_and_radii():
         (lambda: rbpa.molecules.radii(Named(positions=[[0, 0, 0]], elements=["Pm"])), r"overrides=\{symbol: R\} sets its radius"),
         (lambda: rbpa.molecules.radii(Group(), overrides={"Qq": 1}), "overrides: found 'Qq', expected an element"),
         (lambda: rbpa.molecules.read(LYSOZYME, models=2), "found 1 frame, expected frame 2"),
-        (lambda: rbpa.molecules.read(LYSOZYME, models="some"), "models: found 'some', expected all, or numbers from 1"),
+        (lambda: rbpa.molecules.read(LYSOZYME, models="some"), "models: found 'some', expected all, numbers from 1"),
         (lambda: rbpa.molecules.read(LYSOZYME, models=[]), "models: found ''"),
         (lambda: rbpa.molecules.read(LYSOZYME, where="resname == 'XXX'"), "no atom in frame 1"),
         (lambda: rbpa.molecules.read(LYSOZYME, format="doc"), "format: found 'doc'"),
@@ -515,3 +533,9 @@ def test_a_box_in_another_unit_or_of_a_crystal_gives_a_warning() -> None:
     assert any("space group P 43 21 2" in text for text in atoms.warnings)
     with pytest.warns(UserWarning, match="is it in their unit"):
         rbpa.balls(atoms, probe=1.4, box=5)
+    pair = [[0, 0, 0], [30, 0, 0]]
+    with pytest.warns(UserWarning, match=r"centers reach over 30 x 0 x 0, more than twice the box, which reaches over 14.9 x"):
+        rbpa.balls(pair, 1, box=14.9)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        rbpa.balls(pair, 1, box=15)

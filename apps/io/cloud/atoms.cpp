@@ -164,6 +164,26 @@ UnitCell unit_cell(const std::string& record, const std::array<double, 9>& edges
   return cell;
 }
 
+std::vector<std::string> warnings_of_range(std::span<const Point3> points, const CellEdges& box,
+                                           const std::string& noun) {
+  if (points.empty()) return {};
+  std::string reach, of_box;
+  bool is_over = false;
+  for (const auto coordinate : {&Point3::x, &Point3::y, &Point3::z}) {
+    const auto less = [&](const Point3& a, const Point3& b) { return a.*coordinate < b.*coordinate; };
+    const auto [low, high] = std::minmax_element(points.begin(), points.end(), less);
+    double size = 0;
+    for (const Point3& edge : box) size += std::abs(edge.*coordinate);
+    const double distance = (*high).*coordinate - (*low).*coordinate;
+    is_over |= distance > 2 * size;
+    reach += (reach.empty() ? "" : " x ") + rounded(distance, 3);
+    of_box += (of_box.empty() ? "" : " x ") + rounded(size, 3);
+  }
+  if (!is_over) return {};
+  return {noun + " reach over " + reach + ", more than twice the box, which reaches over " + of_box +
+          ": is it in their unit? (coordinates count modulo its edges)"};
+}
+
 std::string_view without_uncertainty(std::string_view number) {
   const std::size_t bracket = number.find('(');
   const std::string_view digits = number.substr(std::min(bracket, number.size()));

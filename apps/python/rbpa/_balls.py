@@ -44,8 +44,8 @@ def balls(
     box : array_like, optional
         The box if it repeats (periodic boundary conditions): a length or three sides; lengths and angles in degrees,
         (a, b, c, alpha, beta, gamma); or the three edges as rows, shape (3, 3). An array with a first axis for frames
-        has a box for each. Sizes are then those of the balls and all their images, per box; centers may be outside. It
-        is in the unit of the centers: ``10 * trajectory.unitcell_vectors`` for mdtraj, whose places become angstroms.
+        has a box for each. Sizes are then those of the balls and all their images, per box; centers may be outside, and a warning tells
+        if they reach over more than twice the box. It is in the unit of the centers: ``10 * trajectory.unitcell_vectors`` for mdtraj, whose places become angstroms.
     threads
         As for `solid`.
     progress : callable, optional
@@ -103,15 +103,10 @@ def balls(
 
 
 def _warn_of_small_boxes(centers: Floats, cells: Floats) -> None:
-    """Warns if the box of the first frame is smaller than half of its centers' extent: its unit may be another one."""
-    if not len(cells) or not centers.size:
-        return
-    reach = np.ptp(centers[0] if centers.ndim == 3 else centers, axis=0)
-    size = np.abs(cells[0]).sum(axis=0)
-    if (reach > 2 * size).any():
-        numbers = [" x ".join(f"{x:.3g}" for x in lengths) for lengths in (reach, size)]
-        text = f"centers reach over {numbers[0]}, far more than the box, {numbers[1]}: is it in their unit? mdtraj's unitcell_vectors are nanometers"
-        warnings.warn(text, stacklevel=3)
+    """Warns if the centers of the first frame reach over more than twice its box: the unit of the box may be another."""
+    if len(cells) and centers.size:
+        for text in _core.warnings_of_range(centers[0] if centers.ndim == 3 else centers, cells[0]):
+            warnings.warn(text + "; mdtraj's unitcell_vectors are nanometers", stacklevel=3)
 
 
 def _cells_of(box: Optional[npt.ArrayLike], frames: Optional[int]) -> Floats:

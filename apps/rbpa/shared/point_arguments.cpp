@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string_view>
 
 #include "io/cloud/atoms.h"
@@ -131,26 +130,6 @@ UnitCell parse_box(const std::string& text, Format format) {
               "the sides of the box, Lx,Ly,Lz, one length for all, or the lengths and angles of a cell, "
               "a,b,c,alpha,beta,gamma; or auto, the cell of the file");
   return cell;
-}
-
-std::vector<std::string> warnings_of_range(std::span<const Point3> points, const CellEdges& box,
-                                           const std::string& noun) {
-  if (points.empty()) return {};
-  std::string reach, of_box;
-  bool is_over = false;
-  for (const auto coordinate : {&Point3::x, &Point3::y, &Point3::z}) {
-    const auto less = [&](const Point3& a, const Point3& b) { return a.*coordinate < b.*coordinate; };
-    const auto [low, high] = std::minmax_element(points.begin(), points.end(), less);
-    double size = 0;
-    for (const Point3& edge : box) size += std::abs(edge.*coordinate);
-    const double distance = (*high).*coordinate - (*low).*coordinate;
-    is_over |= distance > size;
-    reach += (reach.empty() ? "" : " x ") + rounded(distance, 3);
-    of_box += (of_box.empty() ? "" : " x ") + rounded(size, 3);
-  }
-  if (!is_over) return {};
-  return {noun + " reach over " + reach + ", more than the box, which reaches over " + of_box +
-          ": coordinates count modulo its edges"};
 }
 
 std::vector<WantedColumn> columns_of_names() {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -73,11 +72,6 @@ void require_molecule(Format format, const std::string& option, const std::strin
 /// Parses --box. The cell has no edges for "auto", the cell of a file of `format`. Throws WrongUsage that names the
 /// text, or a format without cells.
 UnitCell parse_box(const std::string& text, Format format);
-
-/// Returns a warning if the points reach over more than the box along an axis of space: it may be the wrong box. `noun`
-/// names the points.
-std::vector<std::string> warnings_of_range(std::span<const Point3> points, const CellEdges& box,
-                                           const std::string& noun);
 
 /// Returns the columns that name an atom, each of them optional. Tables of text may have these columns too.
 std::vector<WantedColumn> columns_of_names();
