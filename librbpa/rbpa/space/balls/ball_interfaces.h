@@ -21,7 +21,8 @@
 
 namespace rbpa {
 
-/// Two groups of balls that meet: balls of both share a contact, or a ball of one group hides one of the other.
+/// Two groups of balls that meet: balls of both share a contact, or a ball of one group hides one of the other. Areas
+/// are in the squared unit of the coordinates.
 struct BallInterface {
   std::array<std::uint32_t, 2> groups;  ///< ascending
   /// For each group, the area of its surface that the balls of the other group cover.

@@ -73,7 +73,8 @@ struct BallVoid {
   unsigned dimension = 0;
 };
 
-/// The voids, and the pockets that have mouths, each by descending volume_of_tetrahedra, then by coordinates.
+/// The voids, and the pockets that have mouths, each by descending volume_of_tetrahedra, then by coordinates. Lengths
+/// are in the unit of the coordinates.
 struct BallVoids {
   std::vector<BallVoid> voids, pockets;
   double volume = 0, area = 0;  ///< sums over the voids, without pockets

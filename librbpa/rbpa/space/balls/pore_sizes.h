@@ -18,8 +18,8 @@
 
 namespace rbpa {
 
-/// Radii of balls that meet no other ball. Zeo++ states diameters: D_i = 2 `included`, D_f = 2 `passing`, D_if = 2
-/// `on_the_way`.
+/// Radii of balls that meet no other ball, in the unit of the coordinates. Zeo++ states diameters: D_i = 2 `included`,
+/// D_f = 2 `passing`, D_if = 2 `on_the_way`.
 struct PoreSizes {
   double included = 0;    ///< of the largest ball that fits in; 0 if none does
   double passing = 0;     ///< of the largest ball that can move to an image of itself: the greatest of `along`
