@@ -183,7 +183,7 @@ std::string folded(std::string_view name) {
 
 /// Returns the words of a name as take_folded() writes them, also words in brackets. A word ends before a character
 /// that is neither a letter nor a digit, and before a capital after a small letter ("stopLat").
-std::vector<std::string> words_of(std::string_view name) {
+std::vector<std::string> folded_words(std::string_view name) {
   std::vector<std::string> words(1);
   name = name.substr(0, longest_name);
   for (char last = ' '; !name.empty();) {
@@ -198,7 +198,7 @@ std::vector<std::string> words_of(std::string_view name) {
 
 template <typename Known>
 bool has_word(std::string_view name, const Known& known) {
-  const std::vector<std::string> words = words_of(name);
+  const std::vector<std::string> words = folded_words(name);
   return std::any_of(words.begin(), words.end(), [&](const std::string& word) { return is_among(word, known); });
 }
 
@@ -372,7 +372,7 @@ bool is_part_of_degree(std::string_view name) {
   const auto is_degree = [&](const std::string& word) {
     return is_among(word, degrees.x) || is_among(word, degrees.y);
   };
-  const std::vector<std::string> words = words_of(name.substr(0, name.find_first_of("([")));
+  const std::vector<std::string> words = folded_words(name.substr(0, name.find_first_of("([")));
   const bool any_degree = std::any_of(words.begin(), words.end(), is_degree);
   return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
     return (any_degree && (word == "m" || word == "s")) ||

@@ -4,14 +4,14 @@
 
 namespace meshops::test {
 
-Cycle canonical(Cycle cycle) {
+SiteCycle canonical(SiteCycle cycle) {
   std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end()), cycle.end());
   return cycle;
 }
 
 namespace {
 
-std::set<Arrow> sides_of(const Cycle& face) {
+std::set<Arrow> sides_of(const SiteCycle& face) {
   std::set<Arrow> sides;
   for (std::size_t i = 0; i < face.size(); ++i) sides.insert({face[i], face[(i + 1) % face.size()]});
   return sides;
@@ -23,9 +23,9 @@ Arrow back(const Arrow& arrow) { return {arrow.second, arrow.first}; }
 
 FrontModel::FrontModel(std::size_t sites) : sites_(sites) {}
 
-FrontModel::FrontModel(std::size_t sites, const std::set<Cycle>& faces, const std::set<Site>& missing)
+FrontModel::FrontModel(std::size_t sites, const std::set<SiteCycle>& faces, const std::set<Site>& missing)
     : sites_(sites), missing_(missing), faces_(faces) {
-  for (const Cycle& face : faces)
+  for (const SiteCycle& face : faces)
     for (const Arrow& side : sides_of(face)) sides_.insert(side);
   for (const Arrow& side : sides_)
     if (!has_side(back(side))) boundary_[back(side)] = State::active;
@@ -34,7 +34,7 @@ FrontModel::FrontModel(std::size_t sites, const std::set<Cycle>& faces, const st
 FrontModel::Star FrontModel::star(Site s) const {
   Star star;
   std::set<Site> behind;
-  for (const Cycle& face : faces_) {
+  for (const SiteCycle& face : faces_) {
     const auto at = std::find(face.begin(), face.end(), s);
     if (at == face.end()) continue;
     const Site next = at + 1 == face.end() ? face.front() : *(at + 1);
@@ -47,11 +47,11 @@ FrontModel::Star FrontModel::star(Site s) const {
   return star;
 }
 
-std::set<std::set<Cycle>> FrontModel::fans(Site s) const {
+std::set<std::set<SiteCycle>> FrontModel::fans(Site s) const {
   Star star = this->star(s);
-  std::set<std::set<Cycle>> fans;
+  std::set<std::set<SiteCycle>> fans;
   const auto follow = [&](Site from) {
-    std::set<Cycle> fan;
+    std::set<SiteCycle> fan;
     for (auto at = star.after.find(from); at != star.after.end(); at = star.after.find(from)) {
       fan.insert(*at->second.second);
       from = at->second.first;
@@ -89,7 +89,7 @@ std::set<RefusalKind> FrontModel::against(const std::array<Site, 3>& corners) co
 
 void FrontModel::add(const std::array<Site, 3>& corners) {
   for (const Site s : corners) sites_ = std::max<std::size_t>(sites_, s + std::size_t{1});
-  const Cycle face = canonical({corners.begin(), corners.end()});
+  const SiteCycle face = canonical({corners.begin(), corners.end()});
   faces_.insert(face);
   level_of_[face] = level_;
   for (const Arrow& side : sides_of(face)) {
@@ -98,7 +98,7 @@ void FrontModel::add(const std::array<Site, 3>& corners) {
   }
 }
 
-std::set<RefusalKind> FrontModel::against_removing(const Cycle& face) const {
+std::set<RefusalKind> FrontModel::against_removing(const SiteCycle& face) const {
   if (face.size() != 3) return {RefusalKind::no_triangle};
   const std::set<Arrow> sides = sides_of(face);
   if (std::all_of(sides.begin(), sides.end(), [&](const Arrow& side) { return has_side(back(side)); }))
@@ -106,7 +106,7 @@ std::set<RefusalKind> FrontModel::against_removing(const Cycle& face) const {
   return {};
 }
 
-void FrontModel::remove(const Cycle& face) {
+void FrontModel::remove(const SiteCycle& face) {
   faces_.erase(face);
   for (const Arrow& side : sides_of(face)) {
     sides_.erase(side);

@@ -14,10 +14,10 @@ namespace meshops::test {
 
 /// Directed side from a site to another.
 using Arrow = std::pair<Site, Site>;
-/// Cycle of sites, counter-clockwise, the least first.
-using Cycle = std::vector<Site>;
+/// A cycle of sites, counter-clockwise, the least first.
+using SiteCycle = std::vector<Site>;
 
-Cycle canonical(Cycle cycle);
+SiteCycle canonical(SiteCycle cycle);
 
 class FrontModel {
  public:
@@ -25,18 +25,18 @@ class FrontModel {
 
   explicit FrontModel(std::size_t sites);
   /// Begins with faces, whose boundary is all active. Some sites may not exist.
-  FrontModel(std::size_t sites, const std::set<Cycle>& faces, const std::set<Site>& missing);
+  FrontModel(std::size_t sites, const std::set<SiteCycle>& faces, const std::set<Site>& missing);
 
   std::size_t sites() const { return sites_; }
   bool exists(Site s) const { return s < sites_ && !missing_.contains(s); }
-  const std::set<Cycle>& faces() const { return faces_; }
+  const std::set<SiteCycle>& faces() const { return faces_; }
   /// Returns the state of each arrow along the boundary, with the mesh on its right.
   const std::map<Arrow, State>& boundary() const { return boundary_; }
 
   /// Returns whether a face lies on the left of the arrow.
   bool has_side(const Arrow& arrow) const { return sides_.contains(arrow); }
   /// Returns the faces at a site, in sets that are connected around it.
-  std::set<std::set<Cycle>> fans(Site s) const;
+  std::set<std::set<SiteCycle>> fans(Site s) const;
   bool is_free(Site s) const;
   /// Returns whether the site has faces, and they close around it in every fan.
   bool is_closed(Site s) const;
@@ -47,8 +47,8 @@ class FrontModel {
   void add_site() { ++sites_; }
 
   /// Returns every reason against detaching a face.
-  std::set<RefusalKind> against_removing(const Cycle& face) const;
-  void remove(const Cycle& face);
+  std::set<RefusalKind> against_removing(const SiteCycle& face) const;
+  void remove(const SiteCycle& face);
 
   void set(const Arrow& arrow, State state) { boundary_.at(arrow) = state; }
   /// Returns the sites that the next transfer carries.
@@ -56,25 +56,26 @@ class FrontModel {
   void next_level();
   std::size_t level() const { return level_; }
   /// Returns the number of transfers before a face of the model was inserted.
-  std::size_t level(const Cycle& face) const {
+  std::size_t level(const SiteCycle& face) const {
     const auto added = level_of_.find(face);
     return added == level_of_.end() ? 0 : added->second;
   }
 
  private:
   struct Star {
-    std::map<Site, std::pair<Site, const Cycle*>> after;  // around the site, from neighbor to neighbor across a face
-    std::set<Site> first;                                 // neighbors without a face before them
+    std::map<Site, std::pair<Site, const SiteCycle*>>
+        after;             // around the site, from neighbor to neighbor across a face
+    std::set<Site> first;  // neighbors without a face before them
   };
   Star star(Site s) const;
 
   std::size_t sites_;
   std::set<Site> missing_;
-  std::set<Cycle> faces_;
+  std::set<SiteCycle> faces_;
   std::set<Arrow> sides_;
   std::map<Arrow, State> boundary_;
   std::size_t level_ = 0;
-  std::map<Cycle, std::size_t> level_of_;  // without the faces at the beginning
+  std::map<SiteCycle, std::size_t> level_of_;  // without the faces at the beginning
 };
 
 }  // namespace meshops::test

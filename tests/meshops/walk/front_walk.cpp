@@ -121,7 +121,7 @@ class FrontWalk {
     front_.reset();
     front_.emplace(*mesh_, site_of);
     has_spare_ = false;
-    std::set<Cycle> faces;
+    std::set<SiteCycle> faces;
     for_each_face(*mesh_, [&](Face f) { faces.insert(cycle(f)); });
     std::set<Site> missing;
     if (site_of.empty())
@@ -165,8 +165,8 @@ class FrontWalk {
     return Face(static_cast<int>(below(choices_, static_cast<std::uint32_t>(mesh_->n_faces()) + 4)) - 2);
   }
 
-  Cycle cycle(Face f) const {
-    Cycle corners;
+  SiteCycle cycle(Face f) const {
+    SiteCycle corners;
     const Halfedge first = mesh_->halfedge_handle(f);
     Halfedge h = first;
     do {
@@ -238,7 +238,7 @@ class FrontWalk {
   void detach(Face f) {
     log("detach " + std::to_string(f.idx()));
     std::set<RefusalKind> against;
-    Cycle face;
+    SiteCycle face;
     if (!is_live(*mesh_, f) || !mesh_->halfedge_handle(f).is_valid()) {
       against.insert(RefusalKind::no_such_face);
     } else {
@@ -352,11 +352,11 @@ class FrontWalk {
   }
 
   void check_faces() {
-    std::set<Cycle> faces;
+    std::set<SiteCycle> faces;
     std::size_t count = 0;
     for (int f = 0; f < static_cast<int>(mesh_->n_faces()); ++f)
       if (is_live(*mesh_, Face(f)) && mesh_->halfedge_handle(Face(f)).is_valid()) {
-        const Cycle face = cycle(Face(f));
+        const SiteCycle face = cycle(Face(f));
         faces.insert(face);
         ++count;
         demand(front_->level(Face(f)) == model_->level(face), "a face has the level at which it was inserted");
@@ -370,7 +370,7 @@ class FrontWalk {
   void check_boundary() {
     std::set<Arrow> edges;
     std::size_t boundary = 0;
-    for (const Cycle& face : model_->faces())
+    for (const SiteCycle& face : model_->faces())
       for (std::size_t i = 0; i < face.size(); ++i) edges.insert(std::minmax(face[i], face[(i + 1) % face.size()]));
     for (int i = 0; i < static_cast<int>(mesh_->n_halfedges()); ++i) {
       const Halfedge h(i);
@@ -390,14 +390,14 @@ class FrontWalk {
   }
 
   void check_site(Site s) {
-    std::set<std::set<Cycle>> fans;
+    std::set<std::set<SiteCycle>> fans;
     std::size_t count = 0;
     bool open = false;
     front_->for_each_fan(s, [&](Vertex v) {
       ++count;
       demand(front_->site(v) == s, "a fan stands on the site that lists it");
       open = open || mesh_->is_boundary(v);
-      std::set<Cycle> fan;
+      std::set<SiteCycle> fan;
       for (const auto out : mesh_->voh_range(v))
         if (const Face f = mesh_->face_handle(out); f.is_valid()) fan.insert(cycle(f));
       fans.insert(fan);
