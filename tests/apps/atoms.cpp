@@ -286,7 +286,8 @@ TEST_SUITE("atoms") {
                                      {"1::2", "1 3 "},
                                      {"3:", "3 "},
                                      {"2:2:9", "2 "}}) {
-      CAPTURE(text);
+      const std::string shown_text = text;
+      CAPTURE(shown_text);
       std::string numbers;
       for (const AtomFrame& one : frames_of(models, Format::pdb, {.frames = parse_frames("--models", text)}))
         numbers += std::to_string(one.number) + " ";
@@ -580,8 +581,10 @@ TEST_SUITE("atoms") {
            Format::cif, "m:7: found no element of atom 0 of residue LIG, "},
           {"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp pp\n0 9\n0 9\n0 9\nITEM: ATOMS x y z\n"
            "1 2 3\n",
-           Format::dump, "m:10: found no element of atom 0, "}})
-      CHECK(refusal_of([&] { BallRadii("bondi").of(frame_of(nameless, format), "m"); }).starts_with(place));
+           Format::dump, "m:10: found no element of atom 0, "}}) {
+      const AtomFrame frame = frame_of(nameless, format);
+      CHECK(refusal_of([&] { BallRadii("bondi").of(frame, "m"); }).starts_with(place));
+    }
     CHECK(refusal_of([&] { BallRadii("protor").of(frame_of(pdb_line(" HA "), Format::pdb), "m"); }) ==
           "m:1: found hydrogen, atom HA of residue ALA A 1, expected none, as ProtOr's radii include it "
           "(--no-hydrogens)");
