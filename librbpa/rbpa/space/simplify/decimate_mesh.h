@@ -27,6 +27,8 @@ struct RecordedCollapse {
 /// Throws:   InvalidInput that names a vertex whose place is not finite, and ContractViolation when simplify_blocker()
 ///           has a reason, an option is out of its range, or there is not one place for each vertex: the mesh is then
 ///           unchanged. Cancelled: the mesh is then as after some collapse, and `places` is unchanged.
+///           ContractViolation as meshops::simplify() throws it. The range of `quadrics` is checked only if there are
+///           too many triangles.
 RBPA_API Decimation decimate(meshops::Connectivity& mesh, std::vector<Point3>& places, const DecimationOptions& options,
                              QuadricOptions quadrics = {}, std::vector<RecordedCollapse>* record = nullptr);
 
