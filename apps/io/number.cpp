@@ -73,13 +73,18 @@ std::string rounded(double value, int digits) {
   return text;
 }
 
-std::vector<std::string_view> split_at_commas(std::string_view text) {
-  std::vector<std::string_view> words;
-  for (std::size_t first = 0; first <= text.size();) {
-    const std::size_t comma = std::min(text.find(',', first), text.size());
-    words.push_back(trimmed(text.substr(first, comma - first)));
-    first = comma + 1;
+std::vector<std::string_view> split_at(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (std::size_t first = 0, end = 0; first <= text.size(); first = end + 1) {
+    end = std::min(text.find(separator, first), text.size());
+    parts.push_back(text.substr(first, end - first));
   }
+  return parts;
+}
+
+std::vector<std::string_view> split_at_commas(std::string_view text) {
+  std::vector<std::string_view> words = split_at(text, ',');
+  for (std::string_view& word : words) word = trimmed(word);
   return words;
 }
 

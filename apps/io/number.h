@@ -74,6 +74,8 @@ inline std::string text_of(const std::optional<double>& value) { return value ? 
 /// Returns `value` as text, rounded to `digits` significant digits: "3819.51" for six.
 std::string rounded(double value, int digits);
 
+/// Returns the parts of `text` between separators.
+std::vector<std::string_view> split_at(std::string_view text, char separator);
 /// Returns the parts of `text` between commas, without blanks around each part.
 std::vector<std::string_view> split_at_commas(std::string_view text);
 

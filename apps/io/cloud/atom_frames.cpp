@@ -165,29 +165,21 @@ FrameChoice parse_frames(const std::string& option, const std::string& text) {
     require(found && *found >= 1 && *found <= most);
     return *found;
   };
-  const auto parts_of = [](std::string_view all, char separator) {
-    std::vector<std::string_view> parts;
-    for (std::size_t at = 0, end = 0; at <= all.size(); at = end + 1) {
-      end = std::min(all.find(separator, at), all.size());
-      parts.push_back(all.substr(at, end - at));
-    }
-    return parts;
-  };
   const auto add = [&](std::string_view first, std::string_view last, std::string_view step) {
     const std::size_t end = number(last), by = number(step);
     std::size_t i = number(first);
     require(i <= end);
     for (; i <= end; i += by) choice.numbers.push_back(i);
   };
-  if (std::vector<std::string_view> parts = parts_of(text, ':'); parts.size() > 1) {
+  if (std::vector<std::string_view> parts = split_at(text, ':'); parts.size() > 1) {
     require(parts.size() <= 3);
     parts.resize(3, "1");
     if (parts[1].empty()) return {.all = true, .first = number(parts[0]), .step = number(parts[2])};
     add(parts[0], parts[1], parts[2]);
     return choice;
   }
-  for (const std::string_view part : parts_of(text, ',')) {
-    const std::vector<std::string_view> ends = parts_of(part, '-');
+  for (const std::string_view part : split_at(text, ',')) {
+    const std::vector<std::string_view> ends = split_at(part, '-');
     require(ends.size() <= 2);
     add(ends.front(), ends.back(), "1");
   }

@@ -68,22 +68,19 @@ class GdalErrors {
 };
 
 // Objects of GDAL that belong to the program.
-struct Free {
-  using pointer = void*;
-};
-struct FreeDataset : Free {
+struct FreeDataset {
   void operator()(GDALDatasetH dataset) const { GDAL(GDALClose)(dataset); }
 };
-struct FreeFeature : Free {
+struct FreeFeature {
   void operator()(OGRFeatureH feature) const { GDAL(OGR_F_Destroy)(feature); }
 };
-struct FreeField : Free {
+struct FreeField {
   void operator()(OGRFieldDefnH field) const { GDAL(OGR_Fld_Destroy)(field); }
 };
-struct FreeGeometry : Free {
+struct FreeGeometry {
   void operator()(OGRGeometryH geometry) const { GDAL(OGR_G_DestroyGeometry)(geometry); }
 };
-struct FreeSystem : Free {
+struct FreeSystem {
   void operator()(OGRSpatialReferenceH system) const { GDAL(OSRDestroySpatialReference)(system); }
 };
 using Dataset = std::unique_ptr<void, FreeDataset>;
@@ -91,6 +88,9 @@ using Feature = std::unique_ptr<void, FreeFeature>;
 using Field = std::unique_ptr<void, FreeField>;
 using Geometry = std::unique_ptr<void, FreeGeometry>;
 using System = std::unique_ptr<void, FreeSystem>;
+
+Feature feature_of(OGRLayerH layer) { return Feature(GDAL(OGR_F_Create)(GDAL(OGR_L_GetLayerDefn)(layer))); }
+Geometry geometry_of(OGRwkbGeometryType type) { return Geometry(GDAL(OGR_G_CreateGeometry)(type)); }
 
 class OgrReader {
  public:
@@ -257,7 +257,7 @@ class OgrWriter {
     const std::vector<std::size_t> points = points_in_polygons(shape);
     for (std::size_t i = 0; i < shape.polygons.size(); ++i) {
       const Polygon& polygon = shape.polygons[i];
-      const Feature feature(GDAL(OGR_F_Create)(GDAL(OGR_L_GetLayerDefn)(layer)));
+      const Feature feature = feature_of(layer);
       set(feature.get(), "number", i + 1);
       set(feature.get(), "holes", polygon.holes.size());
       set(feature.get(), "points", points[i]);
@@ -276,10 +276,10 @@ class OgrWriter {
     add_attributes(layer, fields);
     for (std::size_t i = 0; i < shape.polygon_of.size(); ++i) {
       if (shape.polygon_of[i]) continue;
-      const Feature feature(GDAL(OGR_F_Create)(GDAL(OGR_L_GetLayerDefn)(layer)));
+      const Feature feature = feature_of(layer);
       set(feature.get(), "index", std::size_t{renumbered(static_cast<std::uint32_t>(i), shape.index)});
       set(feature.get(), fields, i);
-      Geometry geometry(GDAL(OGR_G_CreateGeometry)(wkbPoint));
+      Geometry geometry = geometry_of(wkbPoint);
       GDAL(OGR_G_AddPoint_2D)(geometry.get(), shape.points[i].x, shape.points[i].y);
       add(layer, feature.get(), std::move(geometry), i);
     }
@@ -296,7 +296,7 @@ class OgrWriter {
     const std::vector<std::string_view> problems = problems_of(groups);
     for (std::size_t g = 0; g < groups.names.size(); ++g) {
       const std::uint64_t first = groups.shapes.polygon_begin[g], last = groups.shapes.polygon_begin[g + 1];
-      const Feature feature(GDAL(OGR_F_Create)(GDAL(OGR_L_GetLayerDefn)(layer)));
+      const Feature feature = feature_of(layer);
       set(feature.get(), "group", groups.names[g]);
       set(feature.get(), "points", groups.sizes[g]);
       set(feature.get(), "polygons", last - first);
@@ -305,7 +305,7 @@ class OgrWriter {
       set(feature.get(), "perimeter", groups.shapes.totals[g].perimeter);
       set(feature.get(), groups.attributes, g);
       if (!problems[g].empty()) set(feature.get(), "problem", std::string(problems[g]));
-      Geometry geometry(GDAL(OGR_G_CreateGeometry)(wkbMultiPolygon));
+      Geometry geometry = geometry_of(wkbMultiPolygon);
       for (std::uint64_t i = first; i < last; ++i)
         add_part(geometry, polygon_of(groups.shapes.polygons[i], groups.points));
       add(layer, feature.get(), std::move(geometry), g);
@@ -318,7 +318,7 @@ class OgrWriter {
     for (const TriangleAttribute& attribute : triangles.attributes)
       add_field(layer, attribute.name.c_str(), attribute.text ? OFTString : OFTReal);
     for (std::size_t i = 0; i < triangles.count; ++i) {
-      const Feature feature(GDAL(OGR_F_Create)(GDAL(OGR_L_GetLayerDefn)(layer)));
+      const Feature feature = feature_of(layer);
       set(feature.get(), "number", i + 1);
       for (std::size_t k = 0; k < triangles.attributes.size(); ++k) {
         const TriangleAttribute& attribute = triangles.attributes[k];
@@ -328,7 +328,7 @@ class OgrWriter {
         else if (const double value = attribute.number(i); std::isfinite(value))
           GDAL(OGR_F_SetFieldDouble)(feature.get(), place, value);
       }
-      Geometry geometry(GDAL(OGR_G_CreateGeometry)(wkbPolygon)), ring(GDAL(OGR_G_CreateGeometry)(wkbLinearRing));
+      Geometry geometry = geometry_of(wkbPolygon), ring = geometry_of(wkbLinearRing);
       const auto corners = triangles.corners(i);
       for (const std::size_t k : {0U, 1U, 2U, 0U})
         triangles.has_z ? GDAL(OGR_G_AddPoint)(ring.get(), corners[k].x, corners[k].y, corners[k].z)
@@ -411,9 +411,9 @@ class OgrWriter {
     GDAL(OGR_G_AddGeometryDirectly)(whole.get(), part.release());
   }
   static Geometry polygon_of(const Polygon& polygon, std::span<const Point> points) {
-    Geometry geometry(GDAL(OGR_G_CreateGeometry)(wkbPolygon));
+    Geometry geometry = geometry_of(wkbPolygon);
     const auto add_ring = [&](const Ring& ring) {
-      Geometry line(GDAL(OGR_G_CreateGeometry)(wkbLinearRing));
+      Geometry line = geometry_of(wkbLinearRing);
       const auto add_point = [&](std::uint32_t i) { GDAL(OGR_G_AddPoint_2D)(line.get(), points[i].x, points[i].y); };
       for (const std::uint32_t i : ring.points) add_point(i);
       add_point(ring.points.front());
