@@ -8,7 +8,6 @@
 
 #include "io/failure.h"
 #include "io/number.h"
-#include "io/text/odd_fields.h"
 #include "io/words.h"
 #include "rbpa/base/triangle.h"
 
@@ -143,6 +142,19 @@ PointChoice::PointChoice(const CloudRequest& request)
   if (request.where) selection_.emplace(*request.where);
 }
 
+std::string PointChoice::fault_of(const CloudBlock& block, std::size_t i, std::size_t point,
+                                  const std::string& name) const {
+  const auto found = [&](bool is_normal, const std::string& what) {
+    return name + (is_normal ? ": normal of point " : ": point ") + std::to_string(point) + ": found " + what;
+  };
+  for (std::size_t k = 0; k < checked_; ++k)
+    if (!block.column[k].empty() && !std::isfinite(block.column[k][i]))
+      return found(k >= CloudBlock::normal, in_quotes(text_of(block.column[k][i])) + ", expected a finite number");
+  if (!skips_ || checked_ == CloudBlock::normal || block.column[CloudBlock::normal].empty()) return {};
+  const auto is_zero = [&](std::size_t k) { return block.column[CloudBlock::normal + k][i] == 0; };
+  return is_zero(0) && is_zero(1) && is_zero(2) ? found(true, "a length of 0") : std::string();
+}
+
 std::vector<std::uint8_t> PointChoice::operator()(CloudBlock& block, std::span<const std::vector<double>> fields,
                                                   std::size_t first, const std::string& name) {
   bool is_finite = true;
@@ -152,7 +164,6 @@ std::vector<std::uint8_t> PointChoice::operator()(CloudBlock& block, std::span<c
   std::vector<std::uint8_t> kept(may_leave_out() ? block.count : 0, 1);
   if (selection_) clear_fields(block, selection_->column_values().size());
   block.index.clear();
-  const bool has_normals = checked_ > CloudBlock::normal && !block.column[CloudBlock::normal].empty();
   for (std::size_t i = 0; i < block.count; ++i) {
     if (selection_) {
       for (std::size_t k = 0; k < fields.size(); ++k) selection_->values()[k] = fields[k][i];
@@ -161,18 +172,8 @@ std::vector<std::uint8_t> PointChoice::operator()(CloudBlock& block, std::span<c
         continue;
       }
     }
-    std::string fault;
-    const auto here = [&](std::size_t k) {
-      return name + (k < CloudBlock::normal ? ": point " : ": normal of point ") + std::to_string(first + i);
-    };
-    for (std::size_t k = 0; !is_finite && fault.empty() && k < checked_; ++k)
-      if (!block.column[k].empty() && !std::isfinite(block.column[k][i]))
-        fault = here(k) + ": found " + in_quotes(text_of(block.column[k][i])) + ", expected a finite number";
-    if (!fault.empty() && !skips_) throw BadInput(with_way(fault, "--skip-invalid leaves out such points"));
-    if (skips_ && has_normals && fault.empty()) {
-      const auto part = [&](std::size_t k) { return block.column[CloudBlock::normal + k][i]; };
-      if (part(0) == 0 && part(1) == 0 && part(2) == 0) fault = here(CloudBlock::normal) + ": found a length of 0";
-    }
+    const std::string fault = fault_of(block, i, first + i, name);
+    if (!fault.empty() && !skips_) throw BadInput(fault + std::string(way_without_such_points));
     if (!fault.empty()) {
       kept[i] = 0;
       if (skipped_++ == 0) first_skipped_ = fault;

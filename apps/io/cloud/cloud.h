@@ -224,6 +224,9 @@ void keep_points(CloudBlock& block, const std::vector<std::uint8_t>& kept);
 /// Returns the warning that a window selects some points: "--bounds selects 3 of 8 points".
 std::string warning_on_window(const PointWindow& window, std::size_t selected, std::size_t all);
 
+/// The way out of a refusal of points that are not finite.
+inline constexpr std::string_view way_without_such_points = " (--skip-invalid leaves out such points)";
+
 /// Chooses points block by block: those for which a condition is true, and, with CloudRequest::skip_invalid, those that
 /// are finite, with normals of another length than 0 if normals are needed.
 class PointChoice {
@@ -241,6 +244,9 @@ class PointChoice {
   void add_warnings(const std::string& name, std::vector<std::string>& warnings) const;
 
  private:
+  /// Returns what is wrong with point i of the block; empty if nothing is. `point` is its number in the file.
+  std::string fault_of(const CloudBlock& block, std::size_t i, std::size_t point, const std::string& name) const;
+
   std::optional<Selection> selection_;
   bool skips_;
   std::size_t checked_;  // number of columns that must be finite

@@ -12,7 +12,6 @@
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/number.h"
-#include "io/text/odd_fields.h"
 #include "io/text/vertex_lines.h"
 
 namespace rbpa::app {
@@ -230,7 +229,9 @@ class ElementCloud final : public Cloud {
         const bool is_wanted = target[k] != nullptr;
         if (std::string_view copy = rest; kept[k] < kept_.size()) keep_word(kept[k], take_word(copy));
         if (is_wanted)
-          target[k][i - first] = may_be_nan[k] != 0 ? take_number(rest, text_->lines(), name_) : take_finite(rest);
+          target[k][i - first] = may_be_nan[k] != 0
+                                     ? take_number(rest, text_->lines(), name_)
+                                     : take_coordinate(rest, text_->lines(), name_, way_without_such_points);
         if (is_channel[k] != 0) require_channel(target[k][i - first]);
         if (k == layout_.height && !takes_z && looks_at_heights()) find_height(block, i, rest);
         if (!is_wanted || vertex_.properties[k].count > 1)
@@ -243,13 +244,6 @@ class ElementCloud final : public Cloud {
     for (const double z : block.heights) facts_.file.heights.take(z);
     for (std::size_t k = 0; k < fields_.size(); ++k)  // a field may be a column of the block as well
       std::copy_n(target[condition_[k]], block.count, fields_[k].data());
-  }
-
-  double take_finite(std::string_view& rest) const try {
-    return take_coordinate(rest, text_->lines(), name_);
-  } catch (const BadInput& refusal) {
-    if (!std::string_view(refusal.what()).ends_with("expected a finite number")) throw;
-    throw BadInput(with_way(refusal.what(), "--skip-invalid leaves out such points"));
   }
 
   std::string here() const { return at_line(name_, text_->lines().number()); }

@@ -26,12 +26,13 @@ bool take_up_to(const char* end, std::string_view& rest) {
 double take_number(std::string_view& rest, const Lines& lines, const std::string& name) {
   std::string_view after = rest;
   const ParsedNumber number = parse_written_number(take_word(after));
-  if (number.fault != NumberFault::not_finite) return take_coordinate(rest, lines, name);
+  if (number.fault != NumberFault::none && number.fault != NumberFault::not_finite)
+    return take_coordinate(rest, lines, name);  // throws
   rest = after;
   return number.value;
 }
 
-double take_coordinate(std::string_view& rest, const Lines& lines, const std::string& name) {
+double take_coordinate(std::string_view& rest, const Lines& lines, const std::string& name, std::string_view way) {
   skip_blanks(rest);
   const ParsedNumber coordinate = parse_number(rest.data(), rest.data() + rest.size());
   if (coordinate.fault == NumberFault::none && take_up_to(coordinate.end, rest)) return coordinate.value;
@@ -39,7 +40,8 @@ double take_coordinate(std::string_view& rest, const Lines& lines, const std::st
   if (word.empty()) bad_input(at_line(name, lines.number()), in_quotes(lines.line()), "one more number");
   const ParsedNumber number = parse_written_number(word);
   if (number.fault != NumberFault::none)
-    bad_input(at_line(name, lines.number()), in_quotes(word), expected_instead(number.fault));
+    bad_input(at_line(name, lines.number()), in_quotes(word),
+              expected_instead(number.fault) + std::string(number.fault == NumberFault::not_finite ? way : ""));
   return number.value;
 }
 

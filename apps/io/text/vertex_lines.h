@@ -13,8 +13,8 @@
 
 namespace rbpa::app {
 
-/// Takes the next word, a finite number, and returns it.
-double take_coordinate(std::string_view& rest, const Lines& lines, const std::string& name);
+/// Takes the next word, a finite number, and returns it. `way` is added to the refusal of nan and inf.
+double take_coordinate(std::string_view& rest, const Lines& lines, const std::string& name, std::string_view way = {});
 
 /// Takes the next word, a number, nan or inf, and returns it.
 double take_number(std::string_view& rest, const Lines& lines, const std::string& name);
