@@ -350,14 +350,11 @@ TableLayout lay_out_space(const TableBeginning& table, TableKind kind, const Clo
   return layout;
 }
 
-/// Refuses names of columns that are too long to be names; each copy of such a text would delay the end of a run after a
-/// signal.
 void refuse_long_names(const TableBeginning& table) {
-  constexpr std::size_t most = 65536;
   for (const std::string_view name : table.fields)
-    if (name.size() > most)
+    if (name.size() > longest_word)
       bad_input(here(table), "a column name of " + counted(name.size(), "character"),
-                "names of at most " + counted(most, "character"));
+                "names of at most " + counted(longest_word, "character"));
 }
 
 }  // namespace

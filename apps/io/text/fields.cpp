@@ -122,8 +122,7 @@ std::optional<char> separator_hint(std::string_view line) {
 }
 
 bool is_number(std::string_view field) {
-  constexpr std::size_t most = 65536;  // parsing copies the field, which cannot be interrupted
-  if (field.size() > most) return false;
+  if (field.size() > longest_word) return false;
   const bool has_comma = field.find(',') != std::string_view::npos;
   const ParsedNumber number = has_comma ? parse_written_number(with_point(field)) : parse_written_number(field);
   return number.fault != NumberFault::not_a_number;

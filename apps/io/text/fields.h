@@ -136,7 +136,11 @@ bool commas_are_decimal(std::string_view line, char separator);
 /// Returns the separator that `line` names, if it is "sep=;" or the like, which Excel may write as the first line.
 std::optional<char> separator_hint(std::string_view line);
 
-/// Returns whether the field is a number, with a decimal point or comma, of at most 65,536 characters.
+/// The number of characters of the longest number, or name of a column. Such texts are copied, and copies of longer
+/// ones would delay the end of a run after a signal.
+inline constexpr std::size_t longest_word = 65536;
+
+/// Returns whether the field is a number, with a decimal point or comma, of at most longest_word characters.
 bool is_number(std::string_view field);
 
 /// Returns whether the field looks like a number, such as "1.0D0", "−1", "12o" or "<0.5": the field has a digit, and it
