@@ -107,43 +107,46 @@ class Run {
                                             : "--generators",
                       findings, defects, source);
     }
+    const MeshFile* last = &surface;  // the mesh of the last step
     std::optional<FilledMesh> filled;
     if (plan_.fill) {
-      filled = fill(surface);
+      filled = fill(*last);
       findings.fill = filled->report;
+      last = &filled->mesh;
     }
-    const MeshFile& whole_surface = filled ? filled->mesh : surface;
     std::optional<SimplerMesh> simpler;
     if (plan_.tunnels_below) {
-      simpler = close_tunnels(whole_surface);
+      simpler = close_tunnels(*last);
       findings.tunnels = simpler->report;
+      last = &simpler->mesh;
     }
-    const MeshFile& closed = simpler ? simpler->mesh : whole_surface;
+    const MeshFile& closed = *last;
     std::optional<DecimatedMesh> decimated;
     if (plan_.decimate) {
-      require_triangles("--decimate", closed, source);
-      decimated = decimate(closed);
+      require_triangles("--decimate", *last, source);
+      decimated = decimate(*last);
       findings.decimated = decimated->report;
+      last = &decimated->mesh;
     }
     if (plan_.progressive)
       write(outputs_.add(*plan_.progressive),
             [&](OutputFile& file) { file.write_binary(std::span<const std::byte>(decimated->progressive)); });
-    const MeshFile& small = decimated ? decimated->mesh : closed;
     std::optional<RemeshedMesh> remeshed;
     if (plan_.remesh) {
-      require_triangles("--remesh", small, source);
-      remeshed = remesh(small, source);
+      require_triangles("--remesh", *last, source);
+      remeshed = remesh(*last, source);
       findings.remeshed = remeshed->report;
+      last = &remeshed->mesh;
       warn_if_far(*plan_.remesh, remeshed->report, source);
     }
-    const MeshFile& even = remeshed ? remeshed->mesh : small;
     std::optional<SubdividedMesh> subdivided;
     if (plan_.subdivide) {
-      require_triangles("--subdivide", even, source);
-      subdivided = subdivide(even, source);
+      require_triangles("--subdivide", *last, source);
+      subdivided = subdivide(*last, source);
       findings.subdivided = subdivided->report;
+      last = &subdivided->mesh;
     }
-    const MeshFile& result = subdivided ? subdivided->mesh : even;
+    const MeshFile& result = *last;
     if (remeshed || subdivided || (decimated && !plan_.decimate->no_crossings))
       warn_if_crossing(closed, result, source);
     const bool is_stl = plan_.written && plan_.written->format == Format::stl;
@@ -175,8 +178,8 @@ class Run {
                         ")");
   }
 
-  /// Prints a warning if a distance exceeds --remesh error=E: that of the result by rounding, or that of the mesh before
-  /// from the result, which is not limited, by more than a fifth, as where thin parts vanish.
+  /// Prints a warning if a distance exceeds --remesh error=E: that of the result by rounding, or that of the mesh
+  /// before from the result, which is not limited, by more than a fifth, as where thin parts vanish.
   static void warn_if_far(const RemeshOptions& wanted, const Remeshing& made, const MeshSource& source) {
     if (!wanted.error || (*made.distance <= *wanted.error && *made.distance_back <= 1.2 * *wanted.error)) return;
     say("meshtopo", name_of(source) + ": --remesh: the result is at most " + rounded_up(*made.distance) +
