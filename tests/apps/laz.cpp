@@ -28,8 +28,8 @@ using Table = LazOptions::Table;
 
 namespace {
 
-/// Calls take() with the records of a file, compressed or not, some at a time; `wanted` as for ChunkDecoder. Returns why
-/// records are left out.
+/// Calls take() with the records of a file, compressed or not, some at a time; `wanted` as for ChunkDecoder. Returns
+/// why records are left out.
 template <typename Take>
 std::string for_records(const Content& content, const Take& take, std::vector<bool> wanted = {},
                         bool skip_invalid = false, unsigned threads = 0) {

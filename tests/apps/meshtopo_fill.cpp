@@ -81,7 +81,8 @@ TEST_SUITE("meshtopo --fill-holes") {
     };
     CHECK(fill("all") ==
           json::parse(R"({"holes": 1, "triangles": 2, "area": 1.0, "left": {"crosses": 0, "edge_taken": 0,
-          "no_area": 0, "too_much_work": 0}, "not_chosen": {"rim": 1, "hole": 0, "island": 0}, "vertices_merged": 0})"));
+          "no_area": 0, "too_much_work": 0}, "not_chosen": {"rim": 1, "hole": 0, "island": 0},
+          "vertices_merged": 0})"));
     CHECK(fill("4")["holes"] == 1);
     CHECK(fill("3")["not_chosen"]["hole"] == 1);
     CHECK(fill("length=4")["holes"] == 1);

@@ -25,8 +25,8 @@ Run fill_by_cgal(const std::vector<rbpa::Point>& ring, double longest);
 /// Runs CGAL's Constrained_Delaunay_triangulation_2. Counts the finite triangles.
 Run constrained_by_cgal(std::span<const rbpa::Point> points, std::span<const rbpa::Segment> segments);
 
-/// Runs CGAL's Delaunay_triangulation_2, and lists the circumcenter of each triangle, rounded, and for each edge the two
-/// points and the triangles beside it: the arrays of a Voronoi diagram. Counts the circumcenters.
+/// Runs CGAL's Delaunay_triangulation_2, and lists the circumcenter of each triangle, rounded, and for each edge the
+/// two points and the triangles beside it: the arrays of a Voronoi diagram. Counts the circumcenters.
 Run voronoi_by_cgal(std::span<const rbpa::Point> points);
 
 struct PersistenceRun {

@@ -21,4 +21,10 @@ if(failed)
   list(JOIN places "\n  " places)
   message(FATAL_ERROR "not as .clang-format says (clang-format-14 -i FILE):\n  ${places}\n")
 endif()
+# clang-format breaks no lines of comments and texts.
+execute_process(COMMAND ${CMAKE_COMMAND} -E env LC_ALL=C.UTF-8 grep -nE ".{121,}" ${files}
+                RESULT_VARIABLE failed OUTPUT_VARIABLE places)
+if(NOT failed EQUAL 1)
+  message(FATAL_ERROR "lines of more than 120 characters (${failed}):\n${places}")
+endif()
 message(STATUS "${count} files are as .clang-format says")

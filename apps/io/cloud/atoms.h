@@ -150,9 +150,9 @@ UnitCell unit_cell(const std::string& record, const std::array<double, 9>& edges
 /// Returns a warning if a cell has more copies of the atoms than the one that the file has; empty if it does not.
 std::string warning_of_symmetry(const UnitCell& cell);
 
-/// Returns a warning if the points reach over more than twice the box along an axis of space: it may be another box, or in
-/// another unit. Whole molecules and trajectories that are not wrapped reach over little more than it. `noun` names the
-/// points.
+/// Returns a warning if the points reach over more than twice the box along an axis of space: the box may be another
+/// one, or in another unit. Whole molecules and trajectories that are not wrapped reach over little more than their
+/// box. `noun` names the points.
 std::vector<std::string> warnings_of_range(std::span<const Point3> points, const CellEdges& box,
                                            const std::string& noun);
 

@@ -9,8 +9,8 @@
 namespace rbpa::app {
 namespace {
 
-/// The elements by their atomic numbers, from 1, and hydrogen's isotopes, with radii of source_of_radius(). Platinum has
-/// 1.72 in Bondi's table XIV.
+/// The elements by their atomic numbers, from 1, and hydrogen's isotopes, with radii of source_of_radius(). Platinum
+/// has 1.72 in Bondi's table XIV.
 constexpr Element known_elements[] = {
     {"H", 1.20},  {"He", 1.40}, {"Li", 1.82}, {"Be", 1.53}, {"B", 1.92},  {"C", 1.70},  {"N", 1.55},  {"O", 1.52},
     {"F", 1.47},  {"Ne", 1.54}, {"Na", 2.27}, {"Mg", 1.73}, {"Al", 1.84}, {"Si", 2.10}, {"P", 1.80},  {"S", 1.80},

@@ -44,8 +44,9 @@ def balls(
     box : array_like, optional
         The box if it repeats (periodic boundary conditions): a length or three sides; lengths and angles in degrees,
         (a, b, c, alpha, beta, gamma); or the three edges as rows, shape (3, 3). An array with a first axis for frames
-        has a box for each. Sizes are then those of the balls and all their images, per box; centers may be outside, and a warning tells
-        if they reach over more than twice the box. It is in the unit of the centers: ``10 * trajectory.unitcell_vectors`` for mdtraj, whose places become angstroms.
+        has a box for each. Sizes are then those of the balls and all their images, per box; centers may be outside, and
+        a warning tells if they reach over more than twice the box. It is in the unit of the centers:
+        ``10 * trajectory.unitcell_vectors`` for mdtraj, whose places become angstroms.
     threads
         As for `solid`.
     progress : callable, optional

@@ -59,13 +59,13 @@ def read(
     ----------
     path : path
     models : int, sequence of int, or str
-        The models, or frames, counted from 1, or "all", or "1::10" for every tenth; all must have the same atoms. Those of dumps may have another order. Unless this is an int, positions
-        have a first axis for frames.
+        The models, or frames, counted from 1, or "all", or "1::10" for every tenth; all must have the same atoms. Those
+        of dumps may have another order. Unless this is an int, positions have a first axis for frames.
     where : str, optional
         A condition that selects atoms: "chain == 'A' and resseq < 100".
     waters, ligands, hydrogens, alternates : bool
-        Whether to keep water (`where` decides about the residues of water that it names), other atoms of HETATM, hydrogen, all alternate locations (otherwise the one of the
-        highest occupancy in each residue).
+        Whether to keep water (`where` decides about the residues of water that it names), other atoms of HETATM,
+        hydrogen, all alternate locations (otherwise the one of the highest occupancy in each residue).
     radius : str, optional
         The column of radii; by default that of the file, if there is one.
     format : str, optional

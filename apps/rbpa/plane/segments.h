@@ -26,8 +26,8 @@ std::optional<SegmentSource> parse_segments(const SegmentArguments& arguments, c
 /// Reads the lines, and returns the constrained Delaunay triangulation of the points and the sides of the lines.
 /// Appends to `file` the vertices of the lines, and the places at which sides were split, so that its points are those
 /// of the triangulation. If the points have heights, a vertex without one gets that of the triangles of the points, or
-/// of the nearest place of their hull, and a split place the mean of the heights of two segments there. Shows a progress
-/// line unless quiet.
+/// of the nearest place of their hull, and a split place the mean of the heights of two segments there. Shows a
+/// progress line unless quiet.
 /// Throws: BadInput that names a side, such as one that crosses another; BadInput, Failure and Cancelled as
 ///         read_points() does.
 ConstrainedDelaunay triangulate_with_segments(const Run& run, const SegmentSource& source, PointFile& file);

@@ -104,8 +104,8 @@ std::vector<std::string> fields_left_out(const std::vector<PointColumn>& columns
 /// Parses --shift; returns nothing if it is not given. Throws WrongUsage unless a target is in single precision.
 std::optional<Shift> parse_shift_of(const std::optional<std::string>& text, const std::vector<Target>& targets);
 
-/// Returns the file that `option` names, with its format given by the ending; - is csv if `use` has tables. Throws WrongUsage unless the format
-/// belongs to `use` and fits() is true for it.
+/// Returns the file that `option` names, with its format given by the ending; - is csv if `use` has tables. Throws
+/// WrongUsage unless the format belongs to `use` and fits() is true for it.
 Target target_of(const std::string& option, const std::string& path, Use use, bool (*fits)(Format) = nullptr);
 
 /// Returns the format of an input: that of --format, otherwise that of the ending; for standard input without --format,

@@ -43,8 +43,8 @@ struct FoundLines {
   std::span<const Point> points_of(const Line& line) const { return std::span(points).subspan(line.begin, line.size); }
 };
 
-/// Finds the lines of one level. Each triangle that the level crosses has one segment, from the side that the line enters to
-/// the side that it leaves.
+/// Finds the lines of one level. Each triangle that the level crosses has one segment, from the side that the line
+/// enters to the side that it leaves.
 class LinesOfLevel {
  public:
   /// `crossed` are the triangles with corners below and not below the level, ascending.

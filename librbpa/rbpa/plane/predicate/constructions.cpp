@@ -157,7 +157,8 @@ double certain_sum(double origin, double over, double under, double error) {
 /// Returns the circumcenter in double, a coordinate that is not certain as NaN. Let r = 2⁻⁵³, and let the sizes be the
 /// sums of the absolute values of products. The errors of numerators are below 8 r times their sizes, that of the
 /// cross product below 5 r times its size, which is less than a tenth of it. So the error of a quotient q is below
-/// 9 r size / |divisor| + 11 r |q| cross_size / |divisor| + r |q|; what is added here exceeds the rounding of the bound.
+/// 9 r size / |divisor| + 11 r |q| cross_size / |divisor| + r |q|; what is added here exceeds the rounding of the
+/// bound.
 Point quick_circumcenter(const Point& a, const Point& b, const Point& c) {
   constexpr double r = 0x1p-53, nan = std::numeric_limits<double>::quiet_NaN();
   const double ux = b.x - a.x, uy = b.y - a.y, vx = c.x - a.x, vy = c.y - a.y;
